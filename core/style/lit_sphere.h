@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace limner {
+
+/// An RGBA value, sRGB-encoded, not premultiplied, 0..1.
+struct Rgba {
+    float r = 0;
+    float g = 0;
+    float b = 0;
+    float a = 1;
+    friend bool operator==(const Rgba&, const Rgba&) = default;
+};
+
+/// A lit-sphere style: the picture of a shaded ball, looked up by the eye-space normal (paper 000 section 4; spec
+/// style-transfer-functions.md 1). Only the inscribed disk means anything; outside it the rim is continued outward, so
+/// that filtering never reads a foreign texel. `uv = 1/2 + 1/2 (n_x, n_y)` with n_y = +1 in the top row.
+/// Alpha is the directional opacity. Immutable, thread-safe.
+class LitSphere {
+  public:
+    /// `pixels`: size*size, row-major, top row first. The rim is continued outward here.
+    LitSphere(int size, std::vector<Rgba> pixels);
+
+    [[nodiscard]] int size() const { return size_; }
+    [[nodiscard]] std::span<const Rgba> pixels() const { return pixels_; }
+    /// Bilinear lookup at full resolution; (x, y) is the normal's eye-space part, clamped to the unit disk.
+    [[nodiscard]] Rgba at(double x, double y) const;
+    /// Mean over the disk: what a sample without a normal takes.
+    [[nodiscard]] const Rgba& mean() const { return mean_; }
+    /// Whether any texel of the disk has alpha < 1, so that a renderer can leave the alpha channel out.
+    [[nodiscard]] bool hasDirectionalOpacity() const { return directionalOpacity_; }
+    /// The next coarser picture, filtered inside the disk only; null at size 1.
+    [[nodiscard]] std::shared_ptr<const LitSphere> half() const;
+
+  private:
+    int size_;
+    std::vector<Rgba> pixels_;
+    Rgba mean_;
+    bool directionalOpacity_ = false;
+};
+
+/// Where a style comes from: what the gallery shows and a project keeps.
+struct StyleCard {
+    std::string id;   ///< unique, lower case with hyphens: "ivory-bone"
+    std::string name; ///< for people: "Ivory bone"
+    std::vector<std::string> tags;
+    std::string origin;
+    std::string credit;
+    std::string licence;
+};
+
+struct Style {
+    StyleCard card;
+    std::shared_ptr<const LitSphere> sphere;
+};
+
+/// Reads a style picture (any format OpenImageIO reads; must be square, at least 4 pixels and at most 8192) and the
+/// JSON card beside it (same name, .json), where there is one. Throws Error(badInput).
+Style loadStyle(const std::filesystem::path& picture);
+
+/// All bundled styles' pictures sorted by name. The folder is found through LIMNER_RESOURCES, beside the executable, or
+/// where the program was installed; throws Error(badInput) with these places when there is none.
+const std::vector<Style>& bundledStyles();
+
+/// The bundled style of that id, or null.
+const Style* findBundledStyle(const std::string& id);
+
+} // namespace limner

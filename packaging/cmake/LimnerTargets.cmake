@@ -1,0 +1,39 @@
+# Flags and helpers that every folder uses.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+endif()
+
+# Flags shared by our own code; libraries' headers come in as SYSTEM and stay out of -Werror.
+add_library(limner_flags INTERFACE)
+target_include_directories(limner_flags INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(limner_flags INTERFACE -Wall -Wextra -Werror -Wshadow -Wnon-virtual-dtor
+                                              $<$<NOT:$<CONFIG:Debug>>:-O3>)
+# A multiply and an add stay two roundings unless the code asks for one: results must not depend on the compiler's mood.
+target_compile_options(limner_flags INTERFACE -ffp-contract=off)
+if(LIMNER_SANITIZE)
+  target_compile_options(limner_flags INTERFACE -fsanitize=${LIMNER_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(limner_flags INTERFACE -fsanitize=${LIMNER_SANITIZE})
+endif()
+
+# limner_library(name): a static library of every .cpp under the calling folder, minus EXCLUDE patterns.
+function(limner_library name)
+  cmake_parse_arguments(ARG "" "" "EXCLUDE" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp *.h)
+  foreach(pattern IN LISTS ARG_EXCLUDE)
+    list(FILTER sources EXCLUDE REGEX ${pattern})
+  endforeach()
+  add_library(${name} STATIC ${sources})
+  target_link_libraries(${name} PUBLIC limner_flags)
+endfunction()

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/base/task.h"
+#include "renderer/picture.h"
+#include "renderer/plan/render_plan.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace limner {
+
+/// A rectangle of the plan's picture, in pixels.
+struct Tile {
+    glm::ivec2 origin{0};
+    glm::ivec2 size{0};
+};
+
+struct RenderResult {
+    Picture picture;           ///< of the tile's size, without the background
+    std::uint64_t samples = 0; ///< volume samples taken
+    std::uint64_t shaded = 0;  ///< of these, with a gradient and a colour
+};
+
+/// Turns a plan into pixels. The same plan gives the same picture on every backend to within their stated tolerances;
+/// on one backend any tiling gives the same bits.
+class Backend {
+  public:
+    virtual ~Backend() = default;
+    [[nodiscard]] virtual std::string name() const = 0;
+    /// Throws Error(cancelled) within 20 ms of a cancellation.
+    virtual RenderResult render(const RenderPlan& plan, const Tile& tile, Task& task) const = 0;
+};
+
+/// The SIMD ray caster (renderer/cpu). Uses all threads of the current TBB arena.
+std::unique_ptr<Backend> makeCpuBackend();
+/// Double precision, exact evaluation, no tables, no skipping (renderer/reference).
+std::unique_ptr<Backend> makeReferenceBackend();
+
+} // namespace limner

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "core/figure/figure.h"
+#include "core/style/transfer_function.h"
+#include "renderer/plan/skip_grid.h"
+#include "renderer/plan/style_atlas.h"
+
+#include <glm/mat3x3.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace limner {
+
+/// Rays of the whole picture in voxel coordinates (voxel centres at integers), in double.
+/// Pixel (x, y) counts from the picture's top left; sub-pixel positions are pixel centres at +0.5.
+struct RayFrame {
+    bool perspective = false;
+    glm::dvec3 originVoxel{0};  ///< eye (perspective) or the point of the picture's top left corner (orthographic)
+    glm::dvec3 forwardVoxel{0}; ///< perspective: from the eye to the top left corner of the image plane; orthographic:
+                                ///< ray direction, per mm
+    glm::dvec3 rightVoxel{
+        0}; ///< step of one pixel to the right: of the direction (perspective) or the origin (orthographic)
+    glm::dvec3 downVoxel{0};   ///< step of one pixel down
+    glm::dmat3 eyeFromMm{1};   ///< rows: right, up, towards the viewer
+    glm::dmat3 mmFromVoxel{1}; ///< the grid's matrix, to measure lengths along a ray
+    glm::dmat3 eyeFromGradient{
+        1};                 ///< eye-space gradient (value per mm) from the index gradient (stored units per voxel)
+    double footprintMm = 1; ///< of one pixel at the target
+};
+
+/// Where samples lie on a ray: t_k = t0 + (k + phase) * step, t0 = entry of the ray into the volume's box. Sample k
+/// stands for [t0 + k*step, t0 + (k+1)*step], cut at the exit and at clip planes: the last, partial one is taken.
+struct SampleLattice {
+    double stepMm = 0.5;
+    double phase = 0.5;  ///< midpoint rule; others only for convergence studies and for comparison with peers
+    double boxInset = 0; ///< voxels taken off every face of the box: 0.5 starts rays at the outermost voxel centres
+};
+
+/// One visible layer, ready to draw.
+struct PlanLayer {
+    std::string name;
+    const Layer* source = nullptr; ///< in the plan's figure: what the reference evaluates
+    Shading shading = Shading::style;
+    bool twoSided = true;
+    Specular specular; ///< Phong's
+    TransferTable table;
+    StyleIndex styles;
+    std::vector<int> atlasSlots; ///< distinct style -> slot of the atlas; empty unless shading is style with a sphere
+};
+
+/// A part of the renderer that a figure may need.
+struct PlanFeature {
+    std::string name;   ///< "style", "phong", "perspective", "contours", ...
+    std::string reason; ///< why it is in, or why it was left out
+};
+
+/// Everything a backend needs for one figure at one size, derived by `Planner`. Immutable and shareable: what several
+/// plans have in common (bricks, skip grid, atlas) is shared. What the figure does not use is not here.
+struct RenderPlan {
+    std::shared_ptr<const Figure> figure;
+    std::shared_ptr<const Volume> volume; ///< after clean-up
+    glm::ivec2 size{0};                   ///< of the picture in pixels
+    int subPixels = 1;                    ///< per axis: 1, 2 or 4
+    RayFrame rays;
+    SampleLattice lattice;
+    double referenceLengthMm = 1; ///< d0: the smallest voxel spacing
+    double earlyTermination = 0.001;
+    double gradientFloor = 0; ///< stored units per mm: below it a normal is undefined (numerics 2a)
+    double gradientMax = 1;   ///< stored units per mm: 99.9th percentile of |gradient|, for normalised magnitudes
+    Clip clip;
+    std::vector<PlanLayer> layers; ///< visible ones with any opacity, in drawing order
+    std::shared_ptr<const SkipGrid> skip;
+    std::shared_ptr<const StyleAtlas> atlas; ///< null where no layer draws a lit sphere
+
+    std::vector<PlanFeature> featuresUsed;
+    std::vector<PlanFeature> featuresLeftOut;
+    std::vector<std::string> notDrawn; ///< figure parts that this version keeps but does not draw, one line each
+    std::size_t bytes = 0;             ///< held by the plan beyond the volume
+};
+
+} // namespace limner
