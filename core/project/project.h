@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/base/task.h"
+#include "core/figure/figure.h"
+#include "core/volume/import.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace limner {
+
+/// A figure with what it refers to.
+struct Document {
+    Figure figure;              ///< volume, labels and styles resolved where they were found
+    std::filesystem::path path; ///< of the project or figure.json; empty for a fresh figure of a scan
+    ImportReport volumeReport;
+    std::vector<std::string> notes; ///< what the user should know: volume moved or changed, unknown keys, ...
+};
+
+/// Opens a `.limner` project, a bare figure.json, or any volume (which gets the preset's figure; `preset` empty:
+/// "auto"). A missing volume is a note and leaves `volume->data` null; nothing is lost. Throws Error.
+Document openDocument(const std::filesystem::path& path, const std::string& preset, const ImportOptions& options,
+                      Task& task);
+
+/// Loads volumes, labels and styles of a figure whose relative paths start at `folder`; what cannot be found becomes a
+/// note.
+void resolveFigure(Document& document, const std::filesystem::path& folder, const ImportOptions& options, Task& task);
+
+struct SaveOptions {
+    bool embedVolume = false;
+    std::vector<std::byte> thumbnailPng; ///< 256^2 PNG; empty: none
+};
+
+/// Writes a `.limner` zip (or, for a path ending in .json, a bare figure.json with styles beside it): written beside,
+/// synced, reopened and checked, then renamed over the old one, of which two backups stay (NAME.limner~,
+/// NAME.limner~~). Throws Error(noResources or badInput); then the old file is as it was.
+void saveDocument(const Document& document, const std::filesystem::path& path, const SaveOptions& options, Task& task);
+
+} // namespace limner
