@@ -1,0 +1,129 @@
+#include "core/optics/opacity.h"
+#include "renderer/backend.h"
+#include "renderer/reference/field.h"
+#include "renderer/reference/layer_optics.h"
+#include "renderer/reference/ray.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cassert>
+
+namespace limner {
+
+namespace {
+
+using Gathered = optics::Accumulated<double>;
+
+/// Marches the rays of one plan: double precision, exact evaluation, every sample taken.
+class Marcher {
+  public:
+    explicit Marcher(const RenderPlan& plan)
+        : plan_(plan), volume_(*plan.volume),
+          readsNormals_(std::any_of(plan.layers.begin(), plan.layers.end(), reference::readsNormal)) {}
+
+    struct Counts {
+        std::uint64_t samples = 0;
+        std::uint64_t shaded = 0;
+    };
+
+    /// Box average over the pixel's sub-pixels.
+    Gathered pixel(glm::ivec2 at, Counts& counts, const Task& task) const {
+        Gathered sum{0, 0, 0, 0};
+        const int n = plan_.subPixels;
+        for (int sub = 0; sub < n * n; ++sub) {
+            task.throwIfCancelled();
+            const glm::dvec2 inside((sub % n + 0.5) / n, (sub / n + 0.5) / n);
+            if (const auto ray = reference::rayThrough(plan_, glm::dvec2(at) + inside)) {
+                const Gathered one = march(*ray, counts);
+                sum = {sum.r + one.r, sum.g + one.g, sum.b + one.b, sum.a + one.a};
+            }
+        }
+        const double share = 1.0 / (n * n);
+        return {sum.r * share, sum.g * share, sum.b * share, sum.a * share};
+    }
+
+  private:
+    Gathered march(const reference::Ray& ray, Counts& counts) const {
+        Gathered gathered{0, 0, 0, 0};
+        const reference::SampleSpan span = reference::samplesOf(ray, plan_.lattice);
+        for (long k = span.first; k < span.end && 1 - gathered.a >= plan_.earlyTermination && gathered.a < 1; ++k) {
+            const reference::Segment segment = reference::segmentOf(ray, plan_.lattice, k);
+            if (segment.lengthMm > 0) {
+                ++counts.samples;
+                gathered = behind(gathered, ray, segment, counts);
+            }
+        }
+        return gathered;
+    }
+
+    /// All layers at one sample, each composited after the other.
+    Gathered behind(Gathered gathered, const reference::Ray& ray, const reference::Segment& segment,
+                    Counts& counts) const {
+        const glm::dvec3 position = ray.positionVoxel(segment.positionMm);
+        const double value = volume_.valueFromStored(reference::storedAt(volume_, position));
+        reference::SurfaceSample surface;
+        bool shaded = false;
+        for (const PlanLayer& layer : plan_.layers) {
+            const double opacity = reference::opacityOf(layer, value);
+            if (!(opacity > 0)) {
+                continue;
+            }
+            if (!shaded) {
+                shaded = true;
+                ++counts.shaded;
+                if (readsNormals_) {
+                    surface =
+                        reference::surfaceSample(plan_, reference::indexGradient(volume_, position), ray.directionEye);
+                }
+            }
+            const reference::LayerSample sample = reference::shadeLayer(layer, value, opacity, surface);
+            gathered = optics::compositeBehind(
+                gathered, sample.colour,
+                optics::opacityOfLength(sample.opacity, segment.lengthMm / plan_.referenceLengthMm));
+        }
+        return gathered;
+    }
+
+    const RenderPlan& plan_;
+    const Volume& volume_;
+    bool readsNormals_;
+};
+
+class ReferenceBackend final : public Backend {
+  public:
+    [[nodiscard]] std::string name() const override { return "reference"; }
+
+    RenderResult render(const RenderPlan& plan, const Tile& tile, Task& task) const override {
+        assert(plan.volume && plan.figure && plan.subPixels > 0);
+        RenderResult result;
+        result.picture = Picture(tile.size);
+        const Marcher marcher(plan);
+        std::atomic<std::uint64_t> samples{0};
+        std::atomic<std::uint64_t> shaded{0};
+        std::atomic<int> rowsDone{0};
+        task.throwIfCancelled();
+        tbb::parallel_for(0, tile.size.y, [&](int y) {
+            Marcher::Counts counts;
+            for (int x = 0; x < tile.size.x; ++x) {
+                const Gathered c = marcher.pixel(tile.origin + glm::ivec2(x, y), counts, task);
+                const double rgba[4] = {c.r, c.g, c.b, c.a};
+                std::transform(rgba, rgba + 4, result.picture.pixel(x, y),
+                               [](double v) { return static_cast<float>(v); });
+            }
+            samples += counts.samples;
+            shaded += counts.shaded;
+            task.progress(static_cast<double>(++rowsDone) / tile.size.y);
+        });
+        result.samples = samples;
+        result.shaded = shaded;
+        return result;
+    }
+};
+
+} // namespace
+
+std::unique_ptr<Backend> makeReferenceBackend() { return std::make_unique<ReferenceBackend>(); }
+
+} // namespace limner
