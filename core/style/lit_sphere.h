@@ -21,10 +21,12 @@ struct Rgba {
 /// A lit-sphere style: the picture of a shaded ball, looked up by the eye-space normal (paper 000 section 4; spec
 /// style-transfer-functions.md 1). Only the inscribed disk means anything; outside it the rim is continued outward, so
 /// that filtering never reads a foreign texel. `uv = 1/2 + 1/2 (n_x, n_y)` with n_y = +1 in the top row.
-/// Alpha is the directional opacity. Immutable, thread-safe.
+/// Alpha is the directional opacity. Averages are taken over the encoded values, weighted with the share of a texel
+/// that the disk covers and, for the colour, with alpha. Immutable, thread-safe.
 class LitSphere {
   public:
-    /// `pixels`: size*size, row-major, top row first. The rim is continued outward here.
+    /// `pixels`: size*size, row-major, top row first. The rim is continued outward here: texels that the disk does not
+    /// cover wholly (below size 8: whose centre lies outside) take the value of the next inner one along the radius.
     LitSphere(int size, std::vector<Rgba> pixels);
 
     [[nodiscard]] int size() const { return size_; }
@@ -39,6 +41,11 @@ class LitSphere {
     [[nodiscard]] std::shared_ptr<const LitSphere> half() const;
 
   private:
+    /// Finds the mean and whether all is opaque; with `filtered` texels the rim is in order already.
+    struct Filtered {};
+    LitSphere(Filtered, int size, std::vector<Rgba> pixels);
+    void summarise();
+
     int size_;
     std::vector<Rgba> pixels_;
     Rgba mean_;
@@ -60,15 +67,20 @@ struct Style {
     std::shared_ptr<const LitSphere> sphere;
 };
 
-/// Reads a style picture (any format OpenImageIO reads; must be square, at least 4 pixels and at most 8192) and the
-/// JSON card beside it (same name, .json), where there is one. Throws Error(badInput).
+/// Reads a style picture (any format OpenImageIO reads; grey or colour, with or without alpha, linear pictures are
+/// sRGB-encoded; must be square, at least 4 pixels and at most 8192) and the JSON card beside it (same name, .json),
+/// where there is one; without one the card has the file's name only. Throws Error(badInput).
 Style loadStyle(const std::filesystem::path& picture);
 
-/// All bundled styles' pictures sorted by name. The folder is found through LIMNER_RESOURCES, beside the executable, or
-/// where the program was installed; throws Error(badInput) with these places when there is none.
+/// Cards of all bundled styles, sorted by name; reads no picture. The folder is `resourcesFolder()/styles`; throws
+/// Error(badInput) where there is none.
+const std::vector<StyleCard>& bundledStyleCards();
+
+/// All bundled styles in the order of their cards, read in parallel on the first call (a fraction of a second): lists
+/// want `bundledStyleCards`. Thread-safe, as is `findBundledStyle`.
 const std::vector<Style>& bundledStyles();
 
-/// The bundled style of that id, or null.
+/// The bundled style of that id, its picture read on first use; null where there is none of that id.
 const Style* findBundledStyle(const std::string& id);
 
 } // namespace limner

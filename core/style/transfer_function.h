@@ -27,7 +27,8 @@ struct TransferTable {
     std::vector<float> index;   ///< fractional node index
 };
 
-/// Entries: at least 1024 for 8-bit and 4096 for 16-bit and float data.
+/// Entries: at least 1024 for 8-bit and 4096 for 16-bit and float data, over the volume's used range; where that is
+/// not too many, a whole number of entries per stored number. Every entry is the exact function, rounded to float.
 TransferTable bakeTransfer(const Layer& layer, const Volume& volume);
 
 /// `ift`: node -> position in the list of distinct styles. Nodes with a plain colour get a style of their own (a
@@ -41,7 +42,8 @@ struct StyleIndex {
     std::vector<Entry> styles;
 };
 
-/// A node whose style id is unknown or not resolved counts as mid grey.
+/// A node whose style id is unknown or not resolved counts as mid grey, and so does a transfer without nodes (which
+/// then has one entry for the index 0 that `nodeIndexAt` gives). A node's style goes before its colour.
 StyleIndex indexStyles(const Figure& figure, const Transfer& transfer);
 
 } // namespace limner
