@@ -72,6 +72,9 @@ struct Style {
 /// where there is one; without one the card has the file's name only. Throws Error(badInput).
 Style loadStyle(const std::filesystem::path& picture);
 
+/// The JSON card alone; where the file is absent, a card with the file's name only. Throws Error(badInput).
+StyleCard loadStyleCard(const std::filesystem::path& card);
+
 /// Cards of all bundled styles, sorted by name; reads no picture. The folder is `resourcesFolder()/styles`; throws
 /// Error(badInput) where there is none.
 const std::vector<StyleCard>& bundledStyleCards();
