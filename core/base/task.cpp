@@ -13,6 +13,9 @@ void Task::throwIfCancelled() const {
 }
 
 void Task::beginPhase(const std::string& name) {
+    if (whole_ != nullptr) {
+        return;
+    }
     const std::lock_guard lock(mutex_);
     phase_ = name;
     fraction_ = 0;
@@ -22,6 +25,10 @@ void Task::beginPhase(const std::string& name) {
 }
 
 void Task::progress(double fraction) {
+    if (whole_ != nullptr) {
+        whole_->progress(from_ + std::clamp(fraction, 0.0, 1.0) * (to_ - from_));
+        return;
+    }
     const std::lock_guard lock(mutex_);
     // Parallel workers report out of order; a bar that jumps back reads as a fault.
     fraction_ = std::max(fraction_, std::clamp(fraction, 0.0, 1.0));
@@ -31,6 +38,10 @@ void Task::progress(double fraction) {
 }
 
 void Task::warn(const std::string& message) {
+    if (whole_ != nullptr) {
+        whole_->warn(message);
+        return;
+    }
     const std::lock_guard lock(mutex_);
     if (std::find(warnings_.begin(), warnings_.end(), message) != warnings_.end()) {
         return;
@@ -42,6 +53,9 @@ void Task::warn(const std::string& message) {
 }
 
 std::vector<std::string> Task::warnings() const {
+    if (whole_ != nullptr) {
+        return whole_->warnings();
+    }
     const std::lock_guard lock(mutex_);
     return warnings_;
 }

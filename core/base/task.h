@@ -23,11 +23,16 @@ class Task {
   public:
     Task() = default;
     explicit Task(TaskListener& listener) : listener_(&listener) {}
+    /// A part of `whole`: its progress moves the whole's from `from` to `to`, its phase names are not shown, its
+    /// warnings are the whole's, and it is cancelled with the whole. Lives shorter than the whole.
+    Task(Task& whole, double from, double to) : whole_(&whole), from_(from), to_(to) {}
     Task(const Task&) = delete;
     Task& operator=(const Task&) = delete;
 
     void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
-    [[nodiscard]] bool cancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
+    [[nodiscard]] bool cancelled() const noexcept {
+        return cancelled_.load(std::memory_order_relaxed) || (whole_ != nullptr && whole_->cancelled());
+    }
     void throwIfCancelled() const;
 
     void beginPhase(const std::string& name);
@@ -39,6 +44,9 @@ class Task {
 
   private:
     TaskListener* listener_ = nullptr;
+    Task* whole_ = nullptr; ///< set: this is a part of another task
+    double from_ = 0;
+    double to_ = 1;
     std::atomic<bool> cancelled_{false};
     mutable std::mutex mutex_;
     std::string phase_;

@@ -4,9 +4,11 @@
 #include "core/figure/figure.h"
 #include "renderer/backend.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
+#include <vector>
 
 namespace limner {
 
@@ -14,9 +16,9 @@ enum class SampleDepth { automatic, eight, sixteen, floating };
 
 struct PictureOptions {
     double dpi = 300;
-    SampleDepth depth = SampleDepth::automatic; ///< automatic: 8 bits, float for EXR
-    bool transparent = false;
-    glm::dvec4 background{1, 1, 1, 1};
+    SampleDepth depth = SampleDepth::automatic; ///< automatic: 8 bits, float for EXR; sixteen is half for EXR
+    bool transparent = false;                   ///< keep alpha; formats without it (JPEG) take the background
+    glm::dvec4 background{1, 1, 1, 1}; ///< sRGB-encoded, not premultiplied; what of it is see-through shows white paper
     std::size_t memoryBudget = std::size_t{1} << 30; ///< beyond the volume
     int tile = 0;                                    ///< edge in pixels; 0: chosen from the budget
 };
@@ -26,17 +28,30 @@ struct ExportFacts {
     std::uint64_t samples = 0;
     std::uint64_t shaded = 0;
     double seconds = 0;
+    std::uint64_t notFinite = 0; ///< pixels that were NaN or infinite: written as empty, and warned of
 };
+
+/// Throws what `exportPicture` would refuse before it renders: an unknown ending, a depth or size the format cannot
+/// hold (a size of 0 is not looked at), more memory than the budget, a folder that is not there.
+void checkExport(const std::filesystem::path& path, glm::ivec2 size, const PictureOptions& options);
 
 /// Renders the plan's whole picture tile by tile and streams it into a file whose ending picks the format (png, tif,
 /// tiff, exr, jpg, jpeg, webp), with dpi and an sRGB profile (EXR: linear, scene-referred floats). Memory stays within
 /// the budget for any size in the formats that can be written by scan line or tile. The file is written beside its
-/// final name and renamed at the end: a failure or a cancellation leaves no partial file. Throws Error.
+/// final name and renamed at the end: a failure or a cancellation leaves no partial file.
+/// Alpha is not premultiplied in PNG, TIFF and WebP, premultiplied in EXR. Throws Error.
 ExportFacts exportPicture(const RenderPlan& plan, const Backend& backend, const std::filesystem::path& path,
                           const PictureOptions& options, Task& task);
 
-/// Lays a premultiplied picture over a colour; transparent keeps alpha. 8-bit RGBA, top row first, for screens and
-/// thumbnails. Rounded to nearest.
+/// Lays a premultiplied picture over a colour; transparent keeps alpha (not premultiplied). 8-bit RGBA, top row first,
+/// for screens and thumbnails. Rounded to nearest.
 std::vector<std::uint8_t> toRgba8(const Picture& picture, const PictureOptions& options);
+
+/// A picture as the bytes of an 8-bit PNG, with dpi and profile: for thumbnails inside projects.
+std::vector<std::byte> encodePng(const Picture& picture, const PictureOptions& options);
+
+/// `toRgba8` of a plan's whole picture, as a PNG.
+std::vector<std::byte> renderPng(const RenderPlan& plan, const Backend& backend, const PictureOptions& options,
+                                 Task& task);
 
 } // namespace limner
