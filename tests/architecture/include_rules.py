@@ -12,10 +12,11 @@ LIBRARIES = (
     ("vtk", r"vtk\w+\.h$"),
     ("itk", r"itk\w+\.h(xx)?$|itksys/|gdcm\w+\.h$"),
     ("oiio", r"OpenImageIO/"),
+    ("lcms", r"lcms2\.h$"),
     ("opencv", r"opencv2/"),
     ("json", r"nlohmann/"),
     ("zip", r"zip\.h$"),
-    ("zlib", r"zlib\.h$"),
+    ("zlib", r"(zlib|bzlib)\.h$"),
     ("expat", r"expat\.h$"),
     ("openssl", r"openssl/"),
     ("cli11", r"CLI/"),
@@ -45,10 +46,10 @@ RULES = {
     "renderer": (("core", "renderer"), {"glm"}, {"tbb", "hwy"}),
     "renderer/cpu": (("core", "renderer"), {"glm", "hwy"}, {"tbb"}),
     "renderer/gl": (("core", "renderer"), {"glm"}, {"gl", "tbb"}),
-    "renderer/export": (("core", "renderer"), {"glm"}, {"tbb", "oiio", "qt", "system", "files"}),
+    "renderer/export": (("core", "renderer"), {"glm"}, {"tbb", "oiio", "lcms", "qt", "system", "files"}),
     "renderer/distributed": (("core", "renderer"), {"glm"}, {"tbb", "mpi", "system"}),
     "widgets": (
-        ("core", "widgets", "renderer/*.h", "renderer/plan/*.h", "renderer/export/*.h"),
+        ("core", "widgets", "renderer/*.h", "renderer/plan/*.h", "renderer/export/*.h", "renderer/interactive/*.h"),
         {"glm", "qt"},
         {"tbb"},
     ),
@@ -111,7 +112,7 @@ def problems_of(root, path):
         elif path.parts[0] == "widgets" and WRITING_QT.match(header):
             problems.append(f"{path}: widgets touch no files ({header})")
         elif not library and "/" not in header and "." in header and not is_c_header(header):
-            problems.append(f"{path}: {header} is to be included by its path from the repository's root")
+            problems.append(f"{path}: {header} is neither a known library's nor named by its path from the repository's root")
     if path.parts[0] == "widgets" and WRITING.search(text):
         problems.append(f"{path}: widgets touch no files ({WRITING.search(text).group()})")
     return problems
@@ -150,7 +151,7 @@ PLANTED = (
     Planted("app/cli/a.cpp", "#include <QApplication>\n", "qt may not be seen here"),
     Planted("app/cli/b.cpp", '#include "widgets/viewport.h"\n', "may not include widgets/viewport.h"),
     Planted("app/studio/a.cpp", "#include <itkImage.h>\n", "itk may not be seen here"),
-    Planted("core/volume/e.cpp", '#include "grid.h"\n', "by its path from the repository's root"),
+    Planted("core/volume/e.cpp", '#include "grid.h"\n', "nor named by its path from the repository's root"),
     Planted("app/elsewhere/a.cpp", "int x;\n", "no rule for this folder"),
 )
 INNOCENT = {
