@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -24,6 +25,7 @@ struct VolumeReference {
     std::string path;         ///< relative to the project where possible
     std::string absolutePath; ///< fallback when the project moved without the volume
     std::string sha256;       ///< of the stored numbers, as `info` prints it; empty: not checked
+    std::int64_t bytes = 0;   ///< size of the file or files; 0: not known
     bool embedded = false;
     std::string raw;                    ///< description of headerless data: "256x256x230:uint16:le:0.5,0.5,0.7"
     std::string series;                 ///< DICOM series UID where a folder holds several

@@ -1,0 +1,553 @@
+#include "core/figure/describe.h"
+
+/// The one place where settings are declared: a row per member of figure.h, in the order of the document. The optional
+/// parts' rows are in parameters_parts.cpp.
+
+namespace limner::description {
+namespace {
+
+constexpr auto kNone = ChangeCost::none;
+constexpr auto kRedraw = ChangeCost::redraw;
+constexpr auto kTables = ChangeCost::newTables;
+constexpr auto kPlan = ChangeCost::newPlan;
+constexpr auto kFields = ChangeCost::newFields;
+constexpr auto kVolume = ChangeCost::newVolume;
+
+constexpr const char* kDataUnit = "HU or the volume's unit";
+constexpr double kFarMm = 1e9; ///< a thousand kilometres: squares of lengths stay far from overflow
+
+/// Whether a field that belongs to some kinds only is written: for those kinds, or so that nothing set is lost.
+template <class Object, bool (*Written)(const Object&)>
+bool asked(const void* object) {
+    return Written(*static_cast<const Object*>(object));
+}
+
+bool writesAbove(const CleanupStep& s) {
+    return s.kind == CleanupKind::keepLargest || s.kind == CleanupKind::keepAt ||
+           s.kind == CleanupKind::removeIslands || s.above != CleanupStep{}.above;
+}
+bool writesIslandSize(const CleanupStep& s) {
+    return s.kind == CleanupKind::removeIslands || s.belowMm3 != CleanupStep{}.belowMm3;
+}
+bool writesPolygon(const CleanupStep& s) { return s.kind == CleanupKind::scissors || !s.polygon.empty(); }
+bool writesSide(const CleanupStep& s) { return s.kind == CleanupKind::scissors || s.side != CleanupStep{}.side; }
+bool writesLabel(const CleanupStep& s) { return s.kind == CleanupKind::eraseLabel || s.label != 0; }
+
+bool isTwoDimensional(const Transfer& t) { return t.kind == TransferKind::twoDimensional; }
+bool writesGrid(const Transfer& t) { return t.grid && (isTwoDimensional(t) || t.nodes.empty()); }
+bool writesNodes(const Transfer& t) { return !writesGrid(t) && (!isTwoDimensional(t) || !t.nodes.empty()); }
+bool writesAxis(const Transfer& t) { return !isTwoDimensional(t) || t.axis != Transfer{}.axis; }
+bool writesAxes(const Transfer& t) { return isTwoDimensional(t) || !t.axes.empty(); }
+bool writesOpacity(const Transfer& t) { return !isTwoDimensional(t) || !t.opacity.empty(); }
+bool writesOpacity2d(const Transfer& t) { return isTwoDimensional(t) || !t.opacity2d.empty(); }
+
+} // namespace
+
+template <>
+std::span<const Field> fieldsOf<VolumeReference>() {
+    using T = VolumeReference;
+    static const Field fields[] = {
+        field<&T::path>(
+            "path", {.label = "Scan", .help = "File or folder of the scan, relative to the project.", .cost = kVolume}),
+        field<&T::absolutePath>("absolute_path", {.label = "Scan, full path",
+                                                  .help = "Tried when the project moved without its scan.",
+                                                  .cost = kNone,
+                                                  .omitDefault = true}),
+        field<&T::sha256>("sha256", {.label = "Check sum",
+                                     .help = "SHA-256 of the stored numbers; tells when the scan has changed.",
+                                     .cost = kNone}),
+        field<&T::bytes>("bytes", {.label = "File size",
+                                   .help = "Size of the scan's file or files; 0: not known.",
+                                   .cost = kNone,
+                                   .unit = "bytes",
+                                   .low = 0,
+                                   .omitDefault = true}),
+        field<&T::embedded>("embedded",
+                            {.label = "Embedded", .help = "The scan lies inside the project file.", .cost = kNone}),
+        field<&T::raw>("raw", {.label = "Raw layout",
+                               .help = "Layout of headerless data: 256x256x230:uint16:le:0.5,0.5,0.7.",
+                               .cost = kVolume,
+                               .omitDefault = true}),
+        field<&T::series>("series", {.label = "Series",
+                                     .help = "DICOM series where the folder holds several.",
+                                     .cost = kVolume,
+                                     .omitDefault = true}),
+        outside<&T::data>(kVolume),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<LabelReference>() {
+    using T = LabelReference;
+    static const Field fields[] = {
+        field<&T::path>(
+            "path", {.label = "Labels", .help = "Volume of label numbers, relative to the project.", .cost = kFields}),
+        field<&T::names>("names", {.label = "Names", .help = "Name of each label number.", .cost = kNone}),
+        outside<&T::data>(kFields),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<Camera>() {
+    using T = Camera;
+    static const Field fields[] = {
+        field<&T::projection>("projection", {.label = "Projection",
+                                             .help = "Parallel rays, or rays from an eye.",
+                                             .cost = kPlan,
+                                             .choices = {"orthographic", "perspective"}}),
+        field<&T::targetMm>("target_mm",
+                            {.label = "Target",
+                             .help = "The point in the middle of the picture, in patient coordinates (LPS).",
+                             .unit = "mm",
+                             .low = -kFarMm,
+                             .high = kFarMm}),
+        field<&T::direction>("direction", {.label = "Direction",
+                                           .help = "The way the viewer looks; any length but zero.",
+                                           .low = -kFarMm,
+                                           .high = kFarMm}),
+        field<&T::up>("up", {.label = "Up",
+                             .help = "What is up in the picture; not along the direction.",
+                             .low = -kFarMm,
+                             .high = kFarMm}),
+        field<&T::heightMm>("height_mm", {.label = "Height",
+                                          .help = "Height of what the picture shows at the target.",
+                                          .unit = "mm",
+                                          .low = 0,
+                                          .high = kFarMm,
+                                          .lowExcluded = true}),
+        field<&T::fovDeg>("fov_deg", {.label = "Field of view",
+                                      .help = "Full vertical angle of a perspective view.",
+                                      .unit = "deg",
+                                      .low = 0,
+                                      .high = 170,
+                                      .lowExcluded = true}),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<ClipPlane>() {
+    using T = ClipPlane;
+    static const Field fields[] = {
+        field<&T::normal>(
+            "normal",
+            {.label = "Normal", .help = "Points to the side that is cut away.", .low = -kFarMm, .high = kFarMm}),
+        field<&T::offsetMm>("offset_mm", {.label = "Offset",
+                                          .help = "Where normal · position is larger, matter is cut away.",
+                                          .unit = "mm",
+                                          .low = -kFarMm,
+                                          .high = kFarMm}),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<Clip>() {
+    using T = Clip;
+    static const Field fields[] = {
+        field<&T::boxMm>("box_mm", {.label = "Clip box",
+                                    .help = "Low and high corner; what is outside is cut away.",
+                                    .cost = kRedraw,
+                                    .unit = "mm",
+                                    .low = -kFarMm,
+                                    .high = kFarMm}),
+        field<&T::planes>("planes", {.label = "Clip planes",
+                                     .help = "Half spaces that are cut away.",
+                                     .cost = kRedraw,
+                                     .atMost = 64}), // each costs every ray
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<CleanupStep>() {
+    using T = CleanupStep;
+    static const Field fields[] = {
+        field<&T::kind>("kind", {.label = "Step",
+                                 .help = "What is removed before drawing.",
+                                 .cost = kFields,
+                                 .choices = {"keep-largest", "keep-at", "remove-islands", "scissors", "erase-label"}}),
+        field<&T::above>("above", {.label = "Matter above",
+                                   .help = "What is above this value counts as matter.",
+                                   .cost = kFields,
+                                   .unit = kDataUnit,
+                                   .written = asked<T, writesAbove>}),
+        field<&T::belowMm3>("below_mm3", {.label = "Smallest island",
+                                          .help = "Islands with less volume than this are removed.",
+                                          .cost = kFields,
+                                          .unit = "mm³",
+                                          .low = 0,
+                                          .written = asked<T, writesIslandSize>}),
+        field<&T::atMm>("at_mm", {.label = "Island at",
+                                  .help = "A point of the island that stays.",
+                                  .cost = kFields,
+                                  .unit = "mm",
+                                  .low = -kFarMm,
+                                  .high = kFarMm,
+                                  .omitDefault = true}),
+        field<&T::polygon>("polygon", {.label = "Lasso",
+                                       .help = "Outline in figure coordinates, at least three points.",
+                                       .cost = kFields,
+                                       .unit = "of the figure",
+                                       .low = -1e3,
+                                       .high = 1e3,
+                                       .written = asked<T, writesPolygon>}),
+        field<&T::camera>("camera", {.label = "Lasso's view",
+                                     .help = "The view in which the outline was drawn.",
+                                     .cost = kFields,
+                                     .omitDefault = true,
+                                     .whole = true}),
+        field<&T::side>("side", {.label = "Cut away",
+                                 .help = "Which side of the outline is cut away.",
+                                 .cost = kFields,
+                                 .choices = {"inside", "outside"},
+                                 .written = asked<T, writesSide>}),
+        field<&T::label>("label", {.label = "Label",
+                                   .help = "Number of the label to erase.",
+                                   .cost = kFields,
+                                   .low = 0,
+                                   .written = asked<T, writesLabel>}),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<StyleEntry>() {
+    using T = StyleEntry;
+    static const Field fields[] = {
+        field<&T::id>("id", {.label = "Id", .help = "What transfer functions call the style.", .cost = kTables}),
+        field<&T::file>("file",
+                        {.label = "Picture", .help = "Picture inside the project, or bundled:ID.", .cost = kTables}),
+        field<&T::name>("name", {.label = "Name", .help = "Name for people.", .cost = kNone}),
+        field<&T::credit>("credit", {.label = "Credit", .help = "Who made the artwork.", .cost = kNone}),
+        field<&T::licence>("licence", {.label = "Licence", .help = "Terms of the artwork.", .cost = kNone}),
+        outside<&T::sphere>(kTables),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<TransferNode>() {
+    using T = TransferNode;
+    static const Field fields[] = {
+        field<&T::at>("at", {.label = "Value", .help = "Data value of the node.", .cost = kTables, .unit = kDataUnit}),
+        field<&T::style>(
+            "style",
+            {.label = "Style", .help = "Id of a style in the figure's list.", .cost = kTables, .omitDefault = true}),
+        field<&T::rgb>("rgb", {.label = "Colour",
+                               .help = "Plain colour instead of a style.",
+                               .cost = kTables,
+                               .unit = "sRGB",
+                               .low = 0,
+                               .high = 1,
+                               .omitDefault = true}),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<TransferGrid>() {
+    using T = TransferGrid;
+    static const Field fields[] = {
+        field<&T::x>("x", {.label = "First axis",
+                           .help = "Rising positions of the grid's columns.",
+                           .cost = kTables,
+                           .atMost = 1024}),
+        field<&T::y>(
+            "y",
+            {.label = "Second axis", .help = "Rising positions of the grid's rows.", .cost = kTables, .atMost = 1024}),
+        field<&T::styles>("styles", {.label = "Styles",
+                                     .help = "Style ids, a row per position of the second axis.",
+                                     .cost = kTables,
+                                     .atMost = 1024}),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<OpacityShape>() {
+    using T = OpacityShape;
+    static const Field fields[] = {
+        field<&T::shape>("shape", {.label = "Shape",
+                                   .help = "Shape in the plane of the two axes.",
+                                   .cost = kTables,
+                                   .choices = {"rectangle", "trapezoid", "ellipse", "polygon", "mask"}}),
+        field<&T::x>("x", {.label = "Along the first axis",
+                           .help = "Positions of the shape's corners on the first axis.",
+                           .cost = kTables}),
+        field<&T::y>("y", {.label = "Along the second axis",
+                           .help = "Positions of the shape's corners on the second axis.",
+                           .cost = kTables}),
+        field<&T::opacity>(
+            "opacity", {.label = "Opacity", .help = "Opacity inside the shape.", .cost = kTables, .low = 0, .high = 1}),
+        field<&T::soft>("soft", {.label = "Softness",
+                                 .help = "Width of the soft border as a share of the shape.",
+                                 .cost = kTables,
+                                 .low = 0,
+                                 .high = 1,
+                                 .omitDefault = true}),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<Transfer>() {
+    using T = Transfer;
+    static const Field fields[] = {
+        field<&T::kind>("kind", {.label = "Kind",
+                                 .help = "Styles by one measure of the data, or by two.",
+                                 .cost = kPlan,
+                                 .choices = {"1d", "2d"}}),
+        field<&T::axis>("axis",
+                        {.label = "Axis",
+                         .help = "The measure that picks style and opacity.",
+                         .cost = kPlan,
+                         .choices = {"value", "gradient", "label", "distance", "importance", "curvature", "second"},
+                         .written = asked<T, writesAxis>}),
+        field<&T::axes>("axes",
+                        {.label = "Axes",
+                         .help = "The two measures that pick style and opacity.",
+                         .cost = kPlan,
+                         .choices = {"value", "gradient", "label", "distance", "importance", "curvature", "second"},
+                         .atMost = 2,
+                         .written = asked<T, writesAxes>}),
+        field<&T::nodes>("nodes",
+                         {.label = "Nodes",
+                          .help = "Styles or colours along the axis, by rising value (1d), or a grid of styles (2d).",
+                          .cost = kTables,
+                          .atMost = 4096,
+                          .written = asked<T, writesNodes>,
+                          .sharesName = true}),
+        field<&T::grid>("nodes", {.label = "Node grid",
+                                  .help = "Styles over a grid of nodes (2d).",
+                                  .cost = kTables,
+                                  .written = asked<T, writesGrid>,
+                                  .sharesName = true}),
+        field<&T::opacity>("opacity", {.label = "Opacity curve",
+                                       .help = "Points (value, opacity) by rising value; two at one value are a step.",
+                                       .cost = kTables,
+                                       .unit = kDataUnit,
+                                       .written = asked<T, writesOpacity>}),
+        field<&T::opacity2d>("opacity_2d", {.label = "Opacity shapes",
+                                            .help = "Shapes in the plane of the two axes (2d).",
+                                            .cost = kTables,
+                                            .atMost = 1024,
+                                            .written = asked<T, writesOpacity2d>}),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<Layer>() {
+    using T = Layer;
+    static const Field fields[] = {
+        field<&T::name>("name", {.label = "Name", .help = "Name of the layer.", .cost = kNone}),
+        field<&T::visible>("visible", {.label = "Visible", .help = "Whether the layer is drawn.", .cost = kPlan}),
+        field<&T::opacity>("opacity", {.label = "Opacity",
+                                       .help = "Multiplies the opacity of the whole layer.",
+                                       .cost = kTables,
+                                       .low = 0,
+                                       .high = 1,
+                                       .omitDefault = true}),
+        field<&T::transfer>(
+            "transfer",
+            {.label = "Transfer function", .help = "Which styles and opacity the data get.", .cost = kPlan}),
+        field<&T::shading>("shading", {.label = "Shading",
+                                       .help = "Drawn styles, Phong's light, or flat colour.",
+                                       .cost = kPlan,
+                                       .choices = {"style", "phong", "flat"}}),
+        field<&T::twoSided>(
+            "two_sided",
+            {.label = "Two-sided", .help = "The back of a surface is drawn like its front.", .cost = kPlan}),
+        field<&T::contours>("contours",
+                            {.label = "Contours", .help = "Lines where the surface turns away.", .cost = kPlan}),
+        field<&T::transparency>("transparency", {.label = "Transparency",
+                                                 .help = "The same everywhere, or clearing flat regions first.",
+                                                 .cost = kPlan,
+                                                 .choices = {"uniform", "illustrative"}}),
+        field<&T::tone>("tone",
+                        {.label = "Tone", .help = "Warm light and cool shade over the colours.", .cost = kPlan}),
+        field<&T::silhouette>("silhouette",
+                              {.label = "Silhouette", .help = "Outline in a colour of its own.", .cost = kPlan}),
+        field<&T::specular>(
+            "specular", {.label = "Highlights", .help = "Highlights as of a wet or polished surface.", .cost = kPlan}),
+        field<&T::gradientOpacity>("gradient_opacity", {.label = "Opacity by gradient",
+                                                        .help = "Points (gradient 0 to 1, factor of the opacity).",
+                                                        .cost = kPlan,
+                                                        .low = 0,
+                                                        .high = 1}),
+        field<&T::lineGradientOpacity>("line_gradient_opacity", {.label = "Line opacity by gradient",
+                                                                 .help = "The same for silhouette and highlights.",
+                                                                 .cost = kPlan,
+                                                                 .low = 0,
+                                                                 .high = 1}),
+        field<&T::position>("position", {.label = "Colour by position",
+                                         .help = "Tints along the view or an axis: aerial perspective.",
+                                         .cost = kPlan}),
+        field<&T::depthOfField>("depth_of_field",
+                                {.label = "Depth of field", .help = "Styles blur away from the focus.", .cost = kPlan}),
+        field<&T::labels>("labels",
+                          {.label = "Labels", .help = "Only these label numbers show.", .cost = kFields, .low = 0}),
+        field<&T::importanceWeight>(
+            "importance_weight",
+            {.label = "Importance", .help = "Weight of the layer in importance composition.", .low = 0, .high = 1e5}),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<Background>() {
+    using T = Background;
+    static const Field fields[] = {
+        field<&T::kind>(
+            "kind",
+            {.label = "Kind", .help = "A colour or a picture behind the figure.", .choices = {"colour", "image"}}),
+        field<&T::rgba>(
+            "rgba",
+            {.label = "Colour", .help = "Colour and opacity of the paper.", .unit = "sRGB", .low = 0, .high = 1}),
+        field<&T::file>("file", {.label = "Picture", .help = "Picture inside the project.", .omitDefault = true}),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<Annotation>() {
+    using T = Annotation;
+    static const Field fields[] = {
+        field<&T::kind>("kind", {.label = "Kind",
+                                 .help = "What stands on the figure.",
+                                 .cost = kNone,
+                                 .choices = {"label", "scale-bar", "orientation", "title", "caption", "legend"}}),
+        field<&T::text>("text", {.label = "Text", .help = "What it says.", .cost = kNone, .omitDefault = true}),
+        field<&T::anchorMm>("anchor_mm", {.label = "Anchor",
+                                          .help = "The point in the patient that the leader points to.",
+                                          .cost = kNone,
+                                          .unit = "mm",
+                                          .low = -kFarMm,
+                                          .high = kFarMm,
+                                          .omitDefault = true}),
+        field<&T::at>("at", {.label = "Place",
+                             .help = "Place in figure coordinates.",
+                             .cost = kNone,
+                             .unit = "of the figure",
+                             .low = -1e3,
+                             .high = 1e3,
+                             .omitDefault = true}),
+        field<&T::lengthMm>("length_mm", {.label = "Length",
+                                          .help = "Length that the scale bar stands for.",
+                                          .cost = kNone,
+                                          .unit = "mm",
+                                          .low = 0,
+                                          .high = kFarMm,
+                                          .lowExcluded = true,
+                                          .omitDefault = true}),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<Output>() {
+    using T = Output;
+    // 100 m and 100,000 dpi: more than any press; the product is checked by `validateFigure`.
+    static const Field fields[] = {
+        field<&T::widthMm>("width_mm", {.label = "Width",
+                                        .help = "Width of the printed figure.",
+                                        .unit = "mm on paper",
+                                        .low = 0,
+                                        .high = 1e5,
+                                        .lowExcluded = true}),
+        field<&T::heightMm>("height_mm", {.label = "Height",
+                                          .help = "Height of the printed figure.",
+                                          .unit = "mm on paper",
+                                          .low = 0,
+                                          .high = 1e5,
+                                          .lowExcluded = true}),
+        field<&T::dpi>("dpi", {.label = "Resolution",
+                               .help = "Pixels per inch of paper.",
+                               .unit = "dpi",
+                               .low = 0,
+                               .high = 1e5,
+                               .lowExcluded = true}),
+        field<&T::transparent>("transparent", {.label = "Transparent", .help = "No paper behind the figure."}),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<Quality>() {
+    using T = Quality;
+    static const Field fields[] = {
+        field<&T::stepVoxels>("step_voxels", {.label = "Step",
+                                              .help = "Distance of samples on a ray, in smallest voxel spacings.",
+                                              .unit = "voxels",
+                                              .low = 0.001,
+                                              .high = 64}),
+        field<&T::gradient>("gradient",
+                            {.label = "Gradient",
+                             .help = "How surface directions are measured.",
+                             .cost = kFields,
+                             .choices = {"auto", "central", "sobel", "neumann", "fourth-order", "b-spline"}}),
+        field<&T::interpolation>(
+            "interpolation",
+            {.label = "Interpolation", .help = "Between voxels.", .cost = kPlan, .choices = {"linear", "tricubic"}}),
+        field<&T::earlyTermination>("early_termination",
+                                    {.label = "Early end",
+                                     .help = "A ray ends where less than this share of light is left; 0: never.",
+                                     .low = 0,
+                                     .high = 0.5}),
+        field<&T::samplesPerPixel>("samples_per_pixel",
+                                   {.label = "Smoothing", .help = "Rays per pixel: 1, 4 or 16.", .low = 1, .high = 16}),
+        field<&T::tolerance>("tolerance", {.label = "Tolerance",
+                                           .help = "Largest error asked for; the step is chosen to meet it.",
+                                           .low = 0,
+                                           .high = 1,
+                                           .lowExcluded = true}),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<Figure>() {
+    using T = Figure;
+    static const Field fields[] = {
+        field<&T::title>("title", {.label = "Title", .help = "Title of the figure.", .cost = kNone}),
+        field<&T::volume>("volume", {.label = "Scan", .help = "The scan that is drawn.", .cost = kVolume}),
+        field<&T::labels>("labels", {.label = "Labels", .help = "Segmentation of the scan.", .cost = kFields}),
+        field<&T::secondVolume>("second_volume",
+                                {.label = "Second scan",
+                                 .help = "Another scan on the same grid, for two-dimensional transfer functions.",
+                                 .cost = kVolume}),
+        field<&T::camera>("camera", {.label = "Camera", .help = "From where the figure is seen."}),
+        field<&T::clip>("clip", {.label = "Clipping", .help = "What is cut away to see inside."}),
+        field<&T::cleanup>("cleanup", {.label = "Clean-up",
+                                       .help = "Steps that remove what is not wanted; the scan itself stays as it is.",
+                                       .cost = kFields,
+                                       .atMost = 1024,
+                                       .whole = true}),
+        field<&T::styles>(
+            "styles", {.label = "Styles", .help = "The styles that the figure uses.", .cost = kTables, .atMost = 4096}),
+        field<&T::layers>("layers", {.label = "Layers",
+                                     .help = "What is drawn, one after the other at every sample.",
+                                     .cost = kPlan,
+                                     .atMost = 256}),
+        field<&T::importance>(
+            "importance",
+            {.label = "Importance", .help = "What matters shows through what lies in front.", .cost = kPlan}),
+        field<&T::stipple>("stipple", {.label = "Stipples", .help = "Dots of ink.", .cost = kPlan}),
+        field<&T::background>("background", {.label = "Background", .help = "The paper."}),
+        field<&T::annotations>("annotations", {.label = "Annotations",
+                                               .help = "Lettering, scale bar and orientation marks.",
+                                               .cost = kNone,
+                                               .atMost = 4096}),
+        field<&T::output>("output", {.label = "Output", .help = "Size and resolution of the printed figure."}),
+        field<&T::quality>("quality", {.label = "Quality", .help = "Accuracy against time."}),
+        outside<&T::unknown>(kNone),
+    };
+    return fields;
+}
+
+const ValueType& figureType() { return valueType<Figure>(); }
+
+} // namespace limner::description

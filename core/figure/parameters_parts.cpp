@@ -1,0 +1,366 @@
+#include "core/figure/describe.h"
+
+/// Declarations of the optional parts: of layers (contours to depth of field), importance and stipples.
+/// The rest is in parameters.cpp.
+
+namespace limner::description {
+namespace {
+
+constexpr auto kTables = ChangeCost::newTables;
+constexpr auto kPlan = ChangeCost::newPlan;
+constexpr auto kFields = ChangeCost::newFields;
+
+constexpr double kFarMm = 1e9; ///< a thousand kilometres: squares of lengths stay far from overflow
+
+} // namespace
+
+template <>
+std::span<const Field> fieldsOf<Contours>() {
+    using T = Contours;
+    static const Field fields[] = {
+        field<&T::thicknessMm>("thickness_mm", {.label = "Contour thickness",
+                                                .help = "Width of the pen on paper.",
+                                                .unit = "mm on paper",
+                                                .low = 0,
+                                                .high = 100}),
+        field<&T::curvatureControlled>(
+            "curvature_controlled",
+            {.label = "Even width", .help = "The pen keeps its width on flat and bent surfaces alike.", .cost = kPlan}),
+        field<&T::probeVoxels>("probe_voxels", {.label = "Probe",
+                                                .help = "Distance over which the curvature is measured.",
+                                                .unit = "voxels",
+                                                .low = 0,
+                                                .high = 64,
+                                                .lowExcluded = true}),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<Light>() {
+    using T = Light;
+    static const Field fields[] = {
+        field<&T::kind>(
+            "kind",
+            {.label = "Light", .help = "Fixed to the viewer's head, or to the object.", .choices = {"head", "object"}}),
+        field<&T::direction>(
+            "direction",
+            {.label = "Direction", .help = "From the object towards the light.", .low = -kFarMm, .high = kFarMm}),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<ColourKey>() {
+    using T = ColourKey;
+    static const Field fields[] = {
+        field<&T::at>("at", {.label = "Position",
+                             .help = "Where on the ramp, from shade (0) to light (1).",
+                             .cost = kTables,
+                             .low = 0,
+                             .high = 1}),
+        field<&T::rgb>(
+            "rgb",
+            {.label = "Colour", .help = "Colour at the key.", .cost = kTables, .unit = "sRGB", .low = 0, .high = 1}),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<Tone>() {
+    using T = Tone;
+    static const Field fields[] = {
+        field<&T::light>("light", {.label = "Light", .help = "Where the tone's light comes from."}),
+        field<&T::keys>(
+            "keys",
+            {.label = "Key colours", .help = "Colour ramp from shade to light.", .cost = kTables, .atMost = 256}),
+        field<&T::saturation>("saturation", {.label = "Saturation",
+                                             .help = "Strength of the tone's colour; 0 leaves only its brightness.",
+                                             .low = 0,
+                                             .high = 4}),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<Silhouette>() {
+    using T = Silhouette;
+    static const Field fields[] = {
+        field<&T::rgb>("rgb",
+                       {.label = "Colour", .help = "Colour of the outline.", .unit = "sRGB", .low = 0, .high = 1}),
+        field<&T::range>("range", {.label = "Range",
+                                   .help = "From full to none, by the cosine between normal and view.",
+                                   .low = 0,
+                                   .high = 1}),
+        field<&T::opacity>("opacity", {.label = "Opacity", .help = "Opacity of the outline.", .low = 0, .high = 1}),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<Specular>() {
+    using T = Specular;
+    static const Field fields[] = {
+        field<&T::strength>("strength",
+                            {.label = "Highlight", .help = "Strength of the highlight.", .low = 0, .high = 10}),
+        field<&T::exponent>(
+            "exponent",
+            {.label = "Shininess", .help = "The higher, the smaller the highlight.", .low = 0, .high = 10000}),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<RampKey>() {
+    using T = RampKey;
+    static const Field fields[] = {
+        field<&T::at>(
+            "at",
+            {.label = "Position", .help = "Where along the axis, from 0 to 1.", .cost = kTables, .low = 0, .high = 1}),
+        field<&T::rgba>("rgba", {.label = "Tint",
+                                 .help = "Factors of red, green, blue and opacity; above 1 brightens.",
+                                 .cost = kTables,
+                                 .low = 0,
+                                 .high = 16}),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<PositionRamp>() {
+    using T = PositionRamp;
+    static const Field fields[] = {
+        field<&T::axis>("axis", {.label = "Axis",
+                                 .help = "Along the view, or along an axis of the patient.",
+                                 .cost = kPlan,
+                                 .choices = {"view", "x", "y", "z"}}),
+        field<&T::ramp>("ramp", {.label = "Ramp", .help = "Tints along the axis.", .cost = kTables, .atMost = 256}),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<DepthOfField>() {
+    using T = DepthOfField;
+    static const Field fields[] = {
+        field<&T::focus>("focus", {.label = "Focus",
+                                   .help = "Depth that is sharp, from the front (0) to the back (1).",
+                                   .low = 0,
+                                   .high = 1}),
+        field<&T::strength>(
+            "strength", {.label = "Blur", .help = "How fast styles blur away from the focus.", .low = 0, .high = 100}),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<ImportanceWeights>() {
+    using T = ImportanceWeights;
+    // Composition is tested up to weights of 1e5 (importance-composition.md).
+    static const Field fields[] = {
+        field<&T::intensity>("intensity", {.label = "Intensity", .help = "Bright data matter.", .low = 0, .high = 1e5}),
+        field<&T::extinction>("extinction",
+                              {.label = "Extinction", .help = "Dense matter matters.", .low = 0, .high = 1e5}),
+        field<&T::gradient>("gradient", {.label = "Gradient", .help = "Boundaries matter.", .low = 0, .high = 1e5}),
+        field<&T::silhouette>("silhouette", {.label = "Silhouette", .help = "Outlines matter.", .low = 0, .high = 1e5}),
+        field<&T::unocclusion>("unocclusion",
+                               {.label = "Unocclusion", .help = "What nothing hides matters.", .low = 0, .high = 1e5}),
+        field<&T::lighting>(
+            "lighting",
+            {.label = "Lighting", .help = "Shade and rim matter more than lit flats.", .low = 0, .high = 1e5}),
+        field<&T::object>("object",
+                          {.label = "Object", .help = "Labelled parts matter by their weight.", .low = 0, .high = 1e5}),
+        field<&T::statistics>(
+            "statistics",
+            {.label = "Statistics", .help = "What differs from its surroundings matters.", .low = 0, .high = 1e5}),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<Lens>() {
+    using T = Lens;
+    static const Field fields[] = {
+        field<&T::kind>("kind", {.label = "Kind",
+                                 .help = "Edge of the lens: hard, soft or a screen of dots.",
+                                 .choices = {"circular", "gaussian", "screendoor"}}),
+        field<&T::center>(
+            "center",
+            {.label = "Centre", .help = "In figure coordinates.", .unit = "of the figure", .low = -1e3, .high = 1e3}),
+        field<&T::radius>("radius", {.label = "Radius",
+                                     .help = "As a share of the figure's height.",
+                                     .unit = "of the figure",
+                                     .low = 0,
+                                     .high = 1e3,
+                                     .lowExcluded = true}),
+        field<&T::cell>("cell", {.label = "Cell",
+                                 .help = "Size of the screen's dots.",
+                                 .unit = "of the figure",
+                                 .low = 0,
+                                 .high = 1,
+                                 .lowExcluded = true}),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<Importance>() {
+    using T = Importance;
+    static const Field fields[] = {
+        field<&T::global>("global", {.label = "Importance",
+                                     .help = "How much importance overrules what lies in front; 0: not at all.",
+                                     .low = 0,
+                                     .high = 1e5}),
+        field<&T::weights>("weights", {.label = "Weights", .help = "What makes a sample important."}),
+        field<&T::background>("background",
+                              {.label = "Background", .help = "Importance of the paper.", .low = 0, .high = 1e5}),
+        field<&T::lenses>("lenses", {.label = "Lenses",
+                                     .help = "Places where importance acts; none: everywhere.",
+                                     .cost = kPlan,
+                                     .atMost = 64}),
+    };
+    return fields;
+}
+
+// The stipple factors' exponents and gains reach two powers of ten past the paper's values (stippling.md).
+
+template <>
+std::span<const Field> fieldsOf<StippleBoundary>() {
+    using T = StippleBoundary;
+    static const Field fields[] = {
+        field<&T::kgc>("kgc", {.label = "Ground", .help = "Dots without any boundary.", .low = 0, .high = 100}),
+        field<&T::kgs>("kgs", {.label = "Gain", .help = "Dots that a full boundary adds.", .low = 0, .high = 100}),
+        field<&T::kge>("kge", {.label = "Exponent", .help = "How sharply boundaries count.", .low = 0, .high = 100}),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<StippleSilhouette>() {
+    using T = StippleSilhouette;
+    static const Field fields[] = {
+        field<&T::ksc>("ksc",
+                       {.label = "Ground", .help = "Dots where the surface faces the viewer.", .low = 0, .high = 100}),
+        field<&T::kss>("kss", {.label = "Gain", .help = "Dots that the silhouette adds.", .low = 0, .high = 100}),
+        field<&T::kse>("kse",
+                       {.label = "Exponent", .help = "How sharply the silhouette counts.", .low = 0, .high = 100}),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<StippleResolution>() {
+    using T = StippleResolution;
+    static const Field fields[] = {
+        field<&T::kre>("kre", {.label = "Exponent",
+                               .help = "How fast dots thin out with distance from the viewer.",
+                               .low = 0,
+                               .high = 100}),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<StippleDistance>() {
+    using T = StippleDistance;
+    static const Field fields[] = {
+        field<&T::kde>(
+            "kde",
+            {.label = "Exponent", .help = "Near parts get more dots; negative: far parts.", .low = -100, .high = 100}),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<StippleInterior>() {
+    using T = StippleInterior;
+    static const Field fields[] = {
+        field<&T::kte>(
+            "kte",
+            {.label = "Exponent", .help = "How far the interior of matter is cleared of dots.", .low = 0, .high = 100}),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<StippleLighting>() {
+    using T = StippleLighting;
+    static const Field fields[] = {
+        field<&T::kle>(
+            "kle", {.label = "Exponent", .help = "How sharply lit parts are cleared of dots.", .low = 0, .high = 100}),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<StippleCurves>() {
+    using T = StippleCurves;
+    static const Field fields[] = {
+        field<&T::log>("log", {.label = "Edge threshold",
+                               .help = "Bound of the Laplacian of Gaussian for a line.",
+                               .low = -100,
+                               .high = 100}),
+        field<&T::eye>("eye", {.label = "Eye threshold",
+                               .help = "Largest cosine between normal and view on a line.",
+                               .low = 0,
+                               .high = 1}),
+        field<&T::gradient>(
+            "gradient", {.label = "Gradient threshold", .help = "Smallest gradient on a line.", .low = 0, .high = 1}),
+        field<&T::widthMm>("width_mm", {.label = "Line width",
+                                        .help = "Width of the lines on paper.",
+                                        .unit = "mm on paper",
+                                        .low = 0,
+                                        .high = 100}),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<Stipple>() {
+    using T = Stipple;
+    static const Field fields[] = {
+        field<&T::inkRgb>("ink_rgb",
+                          {.label = "Ink", .help = "Colour of the dots.", .unit = "sRGB", .low = 0, .high = 1}),
+        field<&T::fromStyle>(
+            "from_style",
+            {.label = "Ink from style", .help = "Dots take the colour of the style under them.", .cost = kPlan}),
+        field<&T::kMax>(
+            "k_max",
+            {.label = "Density", .help = "Dots per pixel and voxel at most.", .cost = kFields, .low = 0, .high = 64}),
+        field<&T::threshold>(
+            "threshold",
+            {.label = "Threshold", .help = "Smallest gradient that gets dots.", .cost = kFields, .low = 0, .high = 1}),
+        field<&T::spreadVoxels>("spread_voxels", {.label = "Spread",
+                                                  .help = "How far dots lie around the surface.",
+                                                  .cost = kFields,
+                                                  .unit = "voxels",
+                                                  .low = 0,
+                                                  .high = 64}),
+        field<&T::sizeMm>("size_mm", {.label = "Dot size",
+                                      .help = "Diameter of the largest dots on paper.",
+                                      .unit = "mm on paper",
+                                      .low = 0,
+                                      .high = 100}),
+        field<&T::hidden>("hidden", {.label = "Hidden dots",
+                                     .help = "Dots behind matter are removed or shown.",
+                                     .cost = kPlan,
+                                     .choices = {"remove", "show"}}),
+        field<&T::layerOpacity>("layer_opacity", {.label = "Layers",
+                                                  .help = "Dots lie over the drawn layers or under their opacity.",
+                                                  .cost = kPlan,
+                                                  .choices = {"under", "over"}}),
+        field<&T::boundary>("boundary", {.label = "Boundary", .help = "More dots on boundaries.", .cost = kPlan}),
+        field<&T::silhouette>("silhouette",
+                              {.label = "Silhouette", .help = "More dots on silhouettes.", .cost = kPlan}),
+        field<&T::resolution>(
+            "resolution", {.label = "Resolution", .help = "Fewer dots where the volume looks smaller.", .cost = kPlan}),
+        field<&T::distance>("distance", {.label = "Distance", .help = "More dots on near parts.", .cost = kPlan}),
+        field<&T::interior>("interior", {.label = "Interior", .help = "Fewer dots inside matter.", .cost = kPlan}),
+        field<&T::lighting>("lighting", {.label = "Lighting", .help = "Fewer dots in the light.", .cost = kPlan}),
+        field<&T::curves>("curves",
+                          {.label = "Silhouette curves", .help = "Lines along the silhouettes.", .cost = kPlan}),
+    };
+    return fields;
+}
+
+} // namespace limner::description

@@ -1,0 +1,4 @@
+#include "core/figure/figure_json.h"
+namespace limner {
+std::vector<Problem> validateFigure(const Figure&) { return {}; }
+} // namespace limner
