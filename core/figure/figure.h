@@ -85,6 +85,9 @@ struct CleanupStep {
     std::optional<Camera> camera;             ///< scissors: the view it was drawn in
     ScissorsSide side = ScissorsSide::inside; ///< scissors: which side is cut away
     int label = 0;                            ///< eraseLabel
+    /// keepLargest: matter thinner than twice this does not connect, so that a headrest that touches the skin goes;
+    /// 0: plain connection. Thin parts of what stays (ears, eyelids) are not lost.
+    double openingMm = 0;
     friend bool operator==(const CleanupStep&, const CleanupStep&) = default;
 };
 
