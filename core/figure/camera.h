@@ -1,0 +1,44 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace limner {
+
+/// Where the viewer stands and what is cut away. LPS mm, angles in degrees.
+
+enum class Projection { orthographic, perspective };
+
+/// The picture's right is `direction x up`. In perspective the plane through the target shows `heightMm`.
+struct Camera {
+    Projection projection = Projection::orthographic;
+    glm::dvec3 targetMm{0};
+    glm::dvec3 direction{0, 1, 0}; ///< the way the viewer looks; need not be unit
+    glm::dvec3 up{0, 0, 1};
+    double heightMm = 240;
+    double fovDeg = 30; ///< full vertical angle; perspective only
+    friend bool operator==(const Camera&, const Camera&) = default;
+};
+
+/// Cuts away where `dot(normal, position) > offsetMm`.
+struct ClipPlane {
+    glm::dvec3 normal{1, 0, 0};
+    double offsetMm = 0;
+    friend bool operator==(const ClipPlane&, const ClipPlane&) = default;
+};
+
+struct BoxMm {
+    glm::dvec3 low{0};
+    glm::dvec3 high{0};
+    friend bool operator==(const BoxMm&, const BoxMm&) = default;
+};
+
+struct Clip {
+    std::optional<BoxMm> boxMm; ///< JSON: [[x, y, z], [x, y, z]]; what is outside is cut away
+    std::vector<ClipPlane> planes;
+    friend bool operator==(const Clip&, const Clip&) = default;
+};
+
+} // namespace limner

@@ -1,0 +1,136 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace limner {
+
+/// A layer of a figure: a style transfer function and the parts that draw with it. Absent parts stay absent.
+
+/// A node carries either a style or a plain colour.
+struct TransferNode {
+    double at = 0;
+    std::string style;
+    std::optional<glm::dvec3> rgb;
+    friend bool operator==(const TransferNode&, const TransferNode&) = default;
+};
+
+enum class TransferKind { oneDimensional, twoDimensional };
+
+/// Styles over a node grid; `styles[y][x]`.
+struct TransferGrid {
+    std::vector<double> x;
+    std::vector<double> y;
+    std::vector<std::vector<std::string>> styles;
+    friend bool operator==(const TransferGrid&, const TransferGrid&) = default;
+};
+
+struct OpacityShape {
+    std::string shape = "rectangle"; ///< rectangle, trapezoid, ellipse, polygon, mask
+    std::vector<double> x;
+    std::vector<double> y;
+    double opacity = 1;
+    double soft = 0;
+    friend bool operator==(const OpacityShape&, const OpacityShape&) = default;
+};
+
+struct Transfer {
+    TransferKind kind = TransferKind::oneDimensional;
+    std::string axis = "value";       ///< 1D
+    std::vector<std::string> axes;    ///< 2D: two names
+    std::vector<TransferNode> nodes;  ///< 1D, by rising `at`
+    std::optional<TransferGrid> grid; ///< 2D; JSON "nodes" as well
+    std::vector<glm::dvec2> opacity;  ///< 1D: (value, opacity), rising; two points at one value are a step
+    std::vector<OpacityShape> opacity2d;
+    friend bool operator==(const Transfer&, const Transfer&) = default;
+};
+
+enum class Shading { style, phong, flat };
+
+enum class Transparency { uniform, illustrative };
+
+struct Contours {
+    double thicknessMm = 0.8;
+    bool curvatureControlled = true;
+    double probeVoxels = 1;
+    friend bool operator==(const Contours&, const Contours&) = default;
+};
+
+struct Light {
+    std::string kind = "head"; ///< head, object
+    glm::dvec3 direction{-0.4, 0.6, 0.7};
+    friend bool operator==(const Light&, const Light&) = default;
+};
+
+struct ColourKey {
+    double at = 0;
+    glm::dvec3 rgb{0};
+    friend bool operator==(const ColourKey&, const ColourKey&) = default;
+};
+
+struct Tone {
+    Light light;
+    std::vector<ColourKey> keys;
+    double saturation = 1;
+    friend bool operator==(const Tone&, const Tone&) = default;
+};
+
+struct Silhouette {
+    glm::dvec3 rgb{0};
+    glm::dvec2 range{0, 0.25};
+    double opacity = 1;
+    friend bool operator==(const Silhouette&, const Silhouette&) = default;
+};
+
+/// Phong's terms; the head light sits at the eye.
+struct Specular {
+    double strength = 0.2;
+    double exponent = 10;
+    friend bool operator==(const Specular&, const Specular&) = default;
+};
+
+struct RampKey {
+    double at = 0;
+    glm::dvec4 rgba{1};
+    friend bool operator==(const RampKey&, const RampKey&) = default;
+};
+
+struct PositionRamp {
+    std::string axis = "view";
+    std::vector<RampKey> ramp;
+    friend bool operator==(const PositionRamp&, const PositionRamp&) = default;
+};
+
+struct DepthOfField {
+    double focus = 0.5;
+    double strength = 1;
+    friend bool operator==(const DepthOfField&, const DepthOfField&) = default;
+};
+
+struct Layer {
+    std::string name;
+    bool visible = true;
+    double opacity = 1; ///< multiplies the transfer function's
+    Transfer transfer;
+    Shading shading = Shading::style;
+    bool twoSided = true;
+    std::optional<Contours> contours;
+    Transparency transparency = Transparency::uniform;
+    std::optional<Tone> tone;
+    std::optional<Silhouette> silhouette;
+    std::optional<Specular> specular;
+    std::optional<std::vector<glm::dvec2>> gradientOpacity;
+    std::optional<std::vector<glm::dvec2>> lineGradientOpacity;
+    std::optional<PositionRamp> position;
+    std::optional<DepthOfField> depthOfField;
+    std::optional<std::vector<int>> labels; ///< only these labels show
+    double importanceWeight = 1;
+    friend bool operator==(const Layer&, const Layer&) = default;
+};
+
+} // namespace limner
