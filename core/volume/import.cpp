@@ -112,6 +112,9 @@ std::uintmax_t bytesOf(const fs::path& path) {
 }
 
 ImportedVolume importChecked(Context& context) {
+    if (isBuiltin(context.path)) {
+        return finish(readBuiltin(context), context);
+    }
     std::error_code failed;
     if (!fs::exists(context.path, failed)) {
         throw Error(ErrorKind::badInput,

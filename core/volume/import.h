@@ -47,8 +47,9 @@ struct ImportedVolume {
 
 /// Reads any supported volume: DICOM folder, DICOMDIR or file, NIfTI-1/2 and Analyze, NRRD/NHDR, MetaImage, VTK
 /// structured points, VTI, TIFF and PNG stacks (a folder or one picture of it), multi-page TIFF, InVesalius .inv3, raw
-/// bytes. Header words are checked against the file's length and the memory budget before anything is allocated. Throws
-/// Error: badInput for a file that is not what it claims, noResources over the budget, cancelled.
+/// bytes; the path "builtin:head" makes the built-in head instead of reading a file. Header words are checked against
+/// the file's length and the memory budget before anything is allocated. Throws Error: badInput for a file that is not
+/// what it claims, noResources over the budget, cancelled.
 ImportedVolume importVolume(const std::filesystem::path& path, const ImportOptions& options, Task& task);
 
 } // namespace limner

@@ -154,6 +154,10 @@ StoredVolume readPictures(Context& context);
 StoredVolume readInvesalius(Context& context);
 StoredVolume readRaw(Context& context);
 StoredVolume readDicom(Context& context);
+StoredVolume readBuiltin(Context& context);
+
+/// Whether the path names a volume that is computed ("builtin:head") instead of a file.
+bool isBuiltin(const std::filesystem::path& path);
 
 /// Whether a folder holds at least one picture that can be part of a stack.
 bool isPictureFolder(const std::filesystem::path& folder);
