@@ -13,21 +13,24 @@
 
 namespace limner {
 
-/// Rays of the whole picture in voxel coordinates (voxel centres at integers), in double.
-/// Pixel (x, y) counts from the picture's top left; sub-pixel positions are pixel centres at +0.5.
+/// Rays of the whole picture in voxel coordinates (voxel centres at integers), in double. (px, py) count pixels from
+/// the picture's top left corner, so pixel (x, y) has its middle at (x + 0.5, y + 0.5). The ray of (px, py) is
+///   orthographic:  originVoxel + px * rightVoxel + py * downVoxel + t * forwardVoxel          (t in mm)
+///   perspective:   originVoxel + s * (forwardVoxel + px * rightVoxel + py * downVoxel)        (s without unit, s > 0)
+/// Orthographic rays reach behind their origin as well: there is no eye to be in front of.
 struct RayFrame {
     bool perspective = false;
-    glm::dvec3 originVoxel{0};  ///< eye (perspective) or the point of the picture's top left corner (orthographic)
-    glm::dvec3 forwardVoxel{0}; ///< perspective: from the eye to the top left corner of the image plane; orthographic:
-                                ///< ray direction, per mm
-    glm::dvec3 rightVoxel{
-        0}; ///< step of one pixel to the right: of the direction (perspective) or the origin (orthographic)
-    glm::dvec3 downVoxel{0};   ///< step of one pixel down
+    glm::dvec3 originVoxel{
+        0}; ///< perspective: the eye; orthographic: the picture's top left corner in the target plane
+    glm::dvec3 forwardVoxel{
+        0}; ///< perspective: from the eye to the top left corner in the target plane; orthographic: 1 mm along the view
+    glm::dvec3 rightVoxel{0};  ///< one pixel to the right in the target plane
+    glm::dvec3 downVoxel{0};   ///< one pixel down in the target plane
     glm::dmat3 eyeFromMm{1};   ///< rows: right, up, towards the viewer
     glm::dmat3 mmFromVoxel{1}; ///< the grid's matrix, to measure lengths along a ray
     glm::dmat3 eyeFromGradient{
-        1};                 ///< eye-space gradient (value per mm) from the index gradient (stored units per voxel)
-    double footprintMm = 1; ///< of one pixel at the target
+        1}; ///< eye-space gradient (data's unit per mm) from the index gradient (stored units per voxel)
+    double footprintMm = 1; ///< of one pixel in the target plane
 };
 
 /// Where samples lie on a ray: t_k = t0 + (k + phase) * step, t0 = entry of the ray into the volume's box. Sample k
@@ -46,6 +49,7 @@ struct PlanLayer {
     bool twoSided = true;
     Specular specular; ///< Phong's
     TransferTable table;
+    std::vector<float> stepOpacity; ///< of one whole step of the plan's lattice, entries as the table's
     StyleIndex styles;
     std::vector<int> atlasSlots; ///< distinct style -> slot of the atlas; empty unless shading is style with a sphere
 };
@@ -67,8 +71,8 @@ struct RenderPlan {
     SampleLattice lattice;
     double referenceLengthMm = 1; ///< d0: the smallest voxel spacing
     double earlyTermination = 0.001;
-    double gradientFloor = 0; ///< stored units per mm: below it a normal is undefined (numerics 2a)
-    double gradientMax = 1;   ///< stored units per mm: 99.9th percentile of |gradient|, for normalised magnitudes
+    double gradientFloor = 0; ///< data's unit per mm: below it a normal is undefined (numerics 2a)
+    double gradientMax = 1;   ///< data's unit per mm: 99.9th percentile of |gradient|, for normalised magnitudes
     Clip clip;
     std::vector<PlanLayer> layers; ///< visible ones with any opacity, in drawing order
     std::shared_ptr<const SkipGrid> skip;

@@ -1,0 +1,95 @@
+#include "renderer/backend.h"
+#include "renderer/cpu/scene_builder.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+
+namespace limner {
+
+namespace {
+
+/// Sub-pixels of a tile, cut into the picture's own blocks.
+struct BlockRange {
+    glm::ivec2 first; ///< sub-pixel corner of the tile
+    glm::ivec2 end;
+    glm::ivec2 firstBlock;
+    glm::ivec2 blocks;
+};
+
+BlockRange blocksOf(const Tile& tile, int subPixels) {
+    BlockRange range;
+    range.first = tile.origin * subPixels;
+    range.end = (tile.origin + tile.size) * subPixels;
+    range.firstBlock = range.first / KernelBlock::kSize;
+    range.blocks = (range.end + KernelBlock::kSize - 1) / KernelBlock::kSize - range.firstBlock;
+    return range;
+}
+
+/// Averages a block's sub-pixels into the pixels of the tile that it covers.
+void resolveBlock(const float* block, glm::ivec2 blockCorner, int subPixels, const Tile& tile, Picture& picture) {
+    const int pixels = KernelBlock::kSize / subPixels;
+    const glm::ivec2 corner = blockCorner / subPixels;
+    const float share = 1.0F / static_cast<float>(subPixels * subPixels);
+    for (int y = 0; y < pixels; ++y) {
+        for (int x = 0; x < pixels; ++x) {
+            const glm::ivec2 at = corner + glm::ivec2(x, y) - tile.origin;
+            if (at.x < 0 || at.y < 0 || at.x >= tile.size.x || at.y >= tile.size.y) {
+                continue;
+            }
+            float sum[4] = {};
+            for (int sub = 0; sub < subPixels * subPixels; ++sub) {
+                const int row = y * subPixels + sub / subPixels;
+                const float* from = block + 4 * (row * KernelBlock::kSize + x * subPixels + sub % subPixels);
+                for (int c = 0; c < 4; ++c) {
+                    sum[c] += from[c];
+                }
+            }
+            float* to = picture.pixel(at.x, at.y);
+            for (int c = 0; c < 4; ++c) {
+                to[c] = sum[c] * share;
+            }
+        }
+    }
+}
+
+class CpuBackend : public Backend {
+  public:
+    [[nodiscard]] std::string name() const override { return "cpu"; }
+
+    RenderResult render(const RenderPlan& plan, const Tile& tile, Task& task) const override {
+        RenderResult result{Picture(tile.size), 0, 0};
+        if (plan.layers.empty()) {
+            return result;
+        }
+        const BuiltScene built(plan);
+        const BlockRange range = blocksOf(tile, plan.subPixels);
+        std::atomic<std::uint64_t> samples{0};
+        std::atomic<std::uint64_t> shaded{0};
+        tbb::parallel_for(0, range.blocks.x * range.blocks.y, [&](int i) {
+            if (task.cancelled()) {
+                return;
+            }
+            const glm::ivec2 index = range.firstBlock + glm::ivec2(i % range.blocks.x, i / range.blocks.x);
+            const glm::ivec2 corner = index * KernelBlock::kSize;
+            const glm::ivec2 wanted = glm::min(range.end - corner, glm::ivec2(KernelBlock::kSize));
+            alignas(64) float rgba[KernelBlock::kSize * KernelBlock::kSize * 4] = {};
+            KernelCounts counts;
+            castBlock(built.scene(), {corner.x, corner.y, wanted.x, wanted.y}, rgba, counts);
+            samples += counts.samples;
+            shaded += counts.shaded;
+            resolveBlock(rgba, corner, plan.subPixels, tile, result.picture);
+        });
+        task.throwIfCancelled();
+        result.samples = samples;
+        result.shaded = shaded;
+        return result;
+    }
+};
+
+} // namespace
+
+std::unique_ptr<Backend> makeCpuBackend() { return std::make_unique<CpuBackend>(); }
+
+} // namespace limner

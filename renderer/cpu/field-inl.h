@@ -1,0 +1,168 @@
+// The volume as a field: trilinear value and its central difference; compiled once for every instruction set.
+#if defined(LIMNER_FIELD_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef LIMNER_FIELD_INL_H
+#undef LIMNER_FIELD_INL_H
+#else
+#define LIMNER_FIELD_INL_H
+#endif
+
+#include "renderer/cpu/kernel_scene.h"
+#include "renderer/cpu/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace limner::HWY_NAMESPACE {
+
+/// A cell and the place inside it, one per lane.
+template <typename Offset>
+struct CellPlace {
+    Offsets<Offset> offsets; ///< bytes from the store's begin to the cell's lower voxel
+    Floats fx, fy, fz;
+};
+
+/// `Voxel`: std::uint8_t, std::int16_t or float. Values and gradients come in the kernel's own units: for integer
+/// voxels times kScale (the weights of the integer interpolation), gradients twice that (differences over two voxels).
+template <typename Voxel, typename Offset>
+struct Field {
+    static constexpr bool kInteger = !std::is_same_v<Voxel, float>;
+    static constexpr int kBytes = sizeof(Voxel);
+    static constexpr int kRowBytes = BrickLayout::kRow * kBytes;
+    static constexpr int kSliceBytes = BrickLayout::kSlice * kBytes;
+    static constexpr float kScale = kInteger ? 32767.0F : 1.0F;
+    using Place = CellPlace<Offset>;
+
+    const KernelScene& scene;
+
+    HWY_INLINE Place locate(const Vec3& q) const {
+        const Ints ix = truncate(q.x);
+        const Ints iy = truncate(q.y);
+        const Ints iz = truncate(q.z);
+        Place place;
+        place.fx = hn::Sub(q.x, toFloat(ix));
+        place.fy = hn::Sub(q.y, toFloat(iy));
+        place.fz = hn::Sub(q.z, toFloat(iz));
+        constexpr int log2 = BrickLayout::kLog2BrickCells;
+        const Ints brick =
+            hn::Add(hn::Add(hn::ShiftRight<log2>(ix), hn::Mul(hn::ShiftRight<log2>(iy), splatInt(scene.brickStep[1]))),
+                    hn::Mul(hn::ShiftRight<log2>(iz), splatInt(scene.brickStep[2])));
+        const Ints inside = splatInt(BrickLayout::kBrickCells - 1);
+        // Voxel 1 of the brick's own count is the lower voxel of cell 0.
+        const Ints local = hn::Add(
+            hn::Add(hn::Mul(hn::And(iz, inside), splatInt(kSliceBytes)),
+                    hn::Mul(hn::And(iy, inside), splatInt(kRowBytes))),
+            hn::Add(hn::Mul(hn::And(ix, inside), splatInt(kBytes)), splatInt(kSliceBytes + kRowBytes + kBytes)));
+        constexpr std::int64_t brickBytes = std::int64_t{BrickLayout::kBrickVoxels} * kBytes;
+        if constexpr (sizeof(Offset) == 4) {
+            store(hn::Add(hn::Mul(brick, splatInt(static_cast<std::int32_t>(brickBytes))), local), place.offsets);
+        } else {
+            alignas(64) std::int32_t bricks[kMaxLanes];
+            alignas(64) std::int32_t locals[kMaxLanes];
+            hn::Store(brick, kI, bricks);
+            hn::Store(local, kI, locals);
+            for (std::size_t lane = 0; lane < hn::Lanes(kI); ++lane) {
+                place.offsets.at[lane] = bricks[lane] * brickBytes + locals[lane];
+            }
+        }
+        return place;
+    }
+
+    /// Weights (1-f, f) of an x-interpolation as a pair of 15-bit integers in one word.
+    static HWY_INLINE Ints weights(Floats f) {
+        const Ints high = truncate(hn::MulAdd(f, splat(32767.0F), splat(0.5F)));
+        return hn::Add(hn::Sub(hn::ShiftLeft<16>(high), high), splatInt(32767));
+    }
+    /// a*(1-f) + b*f of a pair of 16-bit voxels in one instruction, times 32767.
+    static HWY_INLINE Ints blend(Ints pair, Ints weight) {
+        const hn::Repartition<std::int16_t, IntTag> shorts;
+        Ints rest = hn::Zero(kI);
+        return hn::ReorderWidenMulAccumulate(kI, hn::BitCast(shorts, pair), hn::BitCast(shorts, weight), hn::Zero(kI),
+                                             rest);
+    }
+    /// Bytes N and N+1 of every word as two 16-bit numbers.
+    template <int N>
+    static HWY_INLINE Ints bytePair(Ints word) {
+        const hn::Repartition<std::uint8_t, IntTag> bytes;
+        constexpr std::uint32_t k = std::uint32_t(N) | 0x8000U | std::uint32_t(N + 1) << 16 | 0x80000000U;
+        alignas(16) static constexpr std::uint32_t order[4] = {k, k + 0x00040004U, k + 0x00080008U, k + 0x000c000cU};
+        return hn::BitCast(kI,
+                           hn::TableLookupBytes(hn::BitCast(bytes, word),
+                                                hn::LoadDup128(bytes, reinterpret_cast<const std::uint8_t*>(order))));
+    }
+
+    /// The two voxels of a row, interpolated along x; `shift`: bytes from the cell's lower voxel.
+    HWY_INLINE Floats row(const Place& place, int shift, Ints weight) const {
+        const std::uint8_t* base = scene.bricks + shift;
+        if constexpr (kBytes == 1) {
+            return toFloat(blend(bytePair<0>(gatherWords(base, place.offsets)), weight));
+        } else if constexpr (kInteger) {
+            return toFloat(blend(gatherWords(base, place.offsets), weight));
+        } else {
+            const WordPair pair = gatherPairs(base, place.offsets);
+            return lerp(hn::BitCast(kF, pair.low), hn::BitCast(kF, pair.high), place.fx);
+        }
+    }
+
+    HWY_INLINE Floats value(const Place& place) const {
+        const Ints weight = weights(place.fx);
+        const Floats low = lerp(row(place, 0, weight), row(place, kRowBytes, weight), place.fy);
+        const Floats high =
+            lerp(row(place, kSliceBytes, weight), row(place, kSliceBytes + kRowBytes, weight), place.fy);
+        return lerp(low, high, place.fz);
+    }
+
+    /// A row's interpolated value and its difference between one voxel further and one voxel before.
+    struct RowSlope {
+        Floats value, slope;
+    };
+    HWY_INLINE RowSlope rowSlope(const Place& place, int shift, Ints weight) const {
+        const std::uint8_t* base = scene.bricks + shift - kBytes;
+        if constexpr (kBytes == 1) {
+            const Ints word = gatherWords(base, place.offsets);
+            return {toFloat(blend(bytePair<1>(word), weight)),
+                    toFloat(hn::Sub(blend(bytePair<2>(word), weight), blend(bytePair<0>(word), weight)))};
+        } else if constexpr (kInteger) {
+            const WordPair four = gatherPairs(base, place.offsets);
+            const Ints middle = hn::Or(hn::ShiftLeft<16>(four.high), shiftRightLogical16(four.low));
+            return {toFloat(blend(middle, weight)),
+                    toFloat(hn::Sub(blend(four.high, weight), blend(four.low, weight)))};
+        } else {
+            const WordPair before = gatherPairs(base, place.offsets);
+            const WordPair after = gatherPairs(base + 2 * kBytes, place.offsets);
+            const Floats v0 = hn::BitCast(kF, before.low);
+            const Floats v1 = hn::BitCast(kF, before.high);
+            const Floats v2 = hn::BitCast(kF, after.low);
+            const Floats v3 = hn::BitCast(kF, after.high);
+            return {lerp(v1, v2, place.fx), lerp(hn::Sub(v2, v0), hn::Sub(v3, v1), place.fx)};
+        }
+    }
+
+    /// f(q + 1) - f(q - 1) along each axis, exactly for the trilinear field: 12 rows instead of 6 * 8 corners.
+    HWY_INLINE Vec3 gradient(const Place& place) const {
+        const Ints weight = weights(place.fx);
+        constexpr int sy = kRowBytes;
+        constexpr int sz = kSliceBytes;
+        const RowSlope r00 = rowSlope(place, 0, weight);
+        const RowSlope r10 = rowSlope(place, sy, weight);
+        const RowSlope r01 = rowSlope(place, sz, weight);
+        const RowSlope r11 = rowSlope(place, sy + sz, weight);
+        Vec3 g;
+        g.x = lerp(lerp(r00.slope, r10.slope, place.fy), lerp(r01.slope, r11.slope, place.fy), place.fz);
+        const auto along = [&](int step, const RowSlope* r, int across, Floats f, Floats g0) HWY_ATTR {
+            // r: the rows at (0, 0), (1, 0), (0, 1), (1, 1) of (step, across).
+            const Floats below0 = hn::Sub(r[1].value, row(place, -step, weight));
+            const Floats above0 = hn::Sub(row(place, 2 * step, weight), r[0].value);
+            const Floats below1 = hn::Sub(r[3].value, row(place, across - step, weight));
+            const Floats above1 = hn::Sub(row(place, across + 2 * step, weight), r[2].value);
+            return lerp(lerp(below0, above0, f), lerp(below1, above1, f), g0);
+        };
+        const RowSlope inY[4] = {r00, r10, r01, r11};
+        const RowSlope inZ[4] = {r00, r01, r10, r11};
+        g.y = along(sy, inY, sz, place.fy, place.fz);
+        g.z = along(sz, inZ, sy, place.fz, place.fy);
+        return g;
+    }
+};
+
+} // namespace limner::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

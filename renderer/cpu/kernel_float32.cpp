@@ -1,0 +1,33 @@
+// The ray-casting kernel over float32 voxels, for every instruction set (Highway's run-time dispatch). Everything a
+// target compiles stands in that target's namespace: the linker must never keep one target's copy for all.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "renderer/cpu/kernel_float32.cpp"
+#include <hwy/foreach_target.h> // must come before the headers that each target compiles anew
+
+#include "renderer/cpu/march-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace limner::HWY_NAMESPACE {
+
+void castTarget(const KernelScene& scene, const KernelBlock& block, float* rgba, KernelCounts& counts) {
+    castWidth<float>(scene, block, rgba, counts);
+}
+
+} // namespace limner::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace limner {
+
+namespace {
+HWY_EXPORT(castTarget);
+}
+
+void castBlockFloat32(const KernelScene& scene, const KernelBlock& block, float* rgba, KernelCounts& counts) {
+    HWY_DYNAMIC_DISPATCH(castTarget)(scene, block, rgba, counts);
+}
+
+} // namespace limner
+
+#endif

@@ -1,0 +1,254 @@
+// The march along a packet of rays: skip empty space, sample, shade, compose; compiled once for every instruction set.
+#if defined(LIMNER_MARCH_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef LIMNER_MARCH_INL_H
+#undef LIMNER_MARCH_INL_H
+#else
+#define LIMNER_MARCH_INL_H
+#endif
+
+#include "renderer/cpu/rays-inl.h"
+#include "renderer/cpu/shade-inl.h"
+#include "renderer/plan/skip_grid.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace limner::HWY_NAMESPACE {
+
+/// Marches one packet. Choices that hold for a whole figure are plain branches: every lane of every packet takes the same
+/// side, so they cost next to nothing, while a template for each would multiply the code.
+template <typename Voxel, typename Offset>
+class March {
+    using VoxelField = Field<Voxel, Offset>;
+    using Place = typename VoxelField::Place;
+    static constexpr int kBurst = 4; ///< steps between two looks at the skip grid: 4 to 8 measured best
+
+  public:
+    March(const KernelScene& scene, KernelCounts& counts)
+        : scene_(scene), field_{scene}, counts_(counts),
+          oneOpacity_(scene.layerCount == 1 && !scene.layers[0].directionalOpacity) {}
+
+    HWY_INLINE void run(const RayPacket& ray) {
+        ray_ = &ray;
+        red_ = green_ = blue_ = alpha_ = splat(0);
+        k_ = hn::Floor(ray.first);
+        end_ = hn::Ceil(ray.end);
+        alive_ = hn::And(ray.hit, hn::Lt(k_, end_));
+        while (!hn::AllFalse(kF, alive_) && skipEmpty()) {
+            const Mask edge =
+                hn::And(alive_, hn::Or(hn::Lt(k_, ray.first), hn::Gt(hn::Add(k_, splat(kBurst)), ray.end)));
+            burst(!hn::AllFalse(kF, edge));
+        }
+    }
+
+    HWY_INLINE void result(float* r, float* g, float* b, float* a) const {
+        hn::Store(red_, kF, r);
+        hn::Store(green_, kF, g);
+        hn::Store(blue_, kF, b);
+        hn::Store(alpha_, kF, a);
+    }
+
+  private:
+    HWY_INLINE Vec3 position(Floats s) const {
+        const auto clamped = [&](Floats start, Floats step, int axis)
+                                 HWY_ATTR { return hn::Min(hn::MulAdd(step, s, start), splat(scene_.lastCell[axis])); };
+        return {clamped(ray_->start.x, ray_->step.x, 0), clamped(ray_->start.y, ray_->step.y, 1),
+                clamped(ray_->start.z, ray_->step.z, 2)};
+    }
+
+    /// The stretch of the lattice's sample that is inside the visible part: begin and length, in steps.
+    struct Segment {
+        Floats begin, length;
+    };
+    HWY_INLINE Segment segment() const {
+        const Floats begin = hn::Max(k_, ray_->first);
+        return {begin, hn::Sub(hn::Min(hn::Add(k_, splat(1)), ray_->end), begin)};
+    }
+
+    /// Moves every lane on to the next sample in a block that can contribute. False: nothing is left.
+    HWY_INLINE bool skipEmpty() {
+        constexpr int log2 = MinMaxGrid::kLog2BlockCells;
+        const Floats phase = splat(scene_.phase);
+        for (;;) {
+            const Segment part = segment();
+            const Floats s = hn::MulAdd(part.length, phase, part.begin);
+            const Vec3 q = position(s);
+            const Ints bx = hn::ShiftRight<log2>(truncate(q.x));
+            const Ints by = hn::ShiftRight<log2>(truncate(q.y));
+            const Ints bz = hn::ShiftRight<log2>(truncate(q.z));
+            const Ints block =
+                hn::Add(hn::Mul(hn::Add(hn::Mul(bz, splatInt(scene_.blocks[1])), by), splatInt(scene_.blocks[0])), bx);
+            // Lanes that are done may stand anywhere; they read block 0.
+            const Ints safe = hn::IfThenElseZero(hn::RebindMask(kI, alive_), block);
+            const Ints distance = hn::And(gatherAt(scene_.distance, safe), splatInt(255));
+            const Mask empty = hn::And(alive_, hn::RebindMask(kF, hn::Gt(distance, hn::Zero(kI))));
+            if (hn::AllFalse(kF, empty)) {
+                return true;
+            }
+            const auto exit = [&](Floats step, Floats inverse, Ints b, Floats x) HWY_ATTR {
+                const Ints ahead = hn::Add(b, distance);
+                const Ints behind = hn::Add(hn::Sub(b, distance), splatInt(1));
+                const Ints wall = hn::IfThenElse(hn::RebindMask(kI, hn::Gt(step, splat(0))), ahead, behind);
+                return hn::Mul(hn::Sub(toFloat(hn::ShiftLeft<log2>(wall)), x), inverse);
+            };
+            const Floats leave = hn::Min(
+                exit(ray_->step.x, ray_->inverse.x, bx, q.x),
+                hn::Min(exit(ray_->step.y, ray_->inverse.y, by, q.y), exit(ray_->step.z, ray_->inverse.z, bz, q.z)));
+            // The first lattice sample past the wall.
+            const Floats next = hn::Add(hn::Floor(hn::Sub(hn::Add(s, leave), phase)), splat(1));
+            k_ = hn::IfThenElse(empty, hn::Max(next, hn::Add(k_, splat(1))), k_);
+            alive_ = hn::And(alive_, hn::Lt(k_, end_));
+            if (hn::AllFalse(kF, alive_)) {
+                return false;
+            }
+        }
+    }
+
+    /// `edge`: some lane is at the first or last, partial sample of its stretch.
+    HWY_INLINE void burst(bool edge) {
+        for (int i = 0; i < kBurst; ++i) {
+            Segment part = {k_, splat(1)};
+            if (edge) {
+                part = segment();
+            }
+            const Vec3 q = position(hn::MulAdd(part.length, splat(scene_.phase), part.begin));
+            const Place place = field_.locate(liveOnly(q));
+            const Floats entry = hn::MulAdd(field_.value(place), splat(scene_.tableScale), splat(scene_.tableBias));
+            const TablePlace at(entry);
+            const Floats visible = hn::IfThenElseZero(alive_, at.read(scene_.visibility));
+            counts_.samples += hn::CountTrue(kF, alive_);
+            const Mask shows = hn::Gt(visible, splat(0));
+            if (!hn::AllFalse(kF, shows)) {
+                counts_.shaded += hn::CountTrue(kF, shows);
+                contribute({place, at, visible, part.length}, edge);
+                alive_ = hn::And(alive_, hn::Lt(alpha_, splat(scene_.opaque)));
+            }
+            k_ = hn::Add(k_, splat(1));
+            alive_ = hn::And(alive_, hn::Lt(k_, end_));
+            if (hn::AllFalse(kF, alive_)) {
+                return;
+            }
+        }
+    }
+
+    /// Lanes that have ended run on beside the others; they look at the first cell, which is always there.
+    HWY_INLINE Vec3 liveOnly(const Vec3& q) const {
+        return {hn::IfThenElseZero(alive_, q.x), hn::IfThenElseZero(alive_, q.y), hn::IfThenElseZero(alive_, q.z)};
+    }
+
+    struct Sample {
+        const Place& place;
+        const TablePlace& at;
+        Floats visible; ///< opacity of a whole step (one layer), or whether there is any (several)
+        Floats part;    ///< share of a step that the sample stands for
+    };
+
+    HWY_INLINE void contribute(const Sample& sample, bool edge) {
+        if (!oneOpacity_) {
+            for (int i = 0; i < scene_.layerCount; ++i) {
+                composeLayer(scene_.layers[i], sample, edge);
+            }
+        } else {
+            const KernelLayer& layer = scene_.layers[0];
+            Floats opacity = sample.visible;
+            if (edge) {
+                opacity = opacityOfPart(opacity, sample.part);
+            }
+            add(colour(layer, sample), opacity);
+        }
+    }
+
+    HWY_NOINLINE Colour colour(const KernelLayer& layer, const Sample& sample) const {
+        if (layer.shading == Shading::flat) {
+            return tableColour(layer, sample.at);
+        }
+        const Normal normal = normalAt(field_, sample.place, ray_->view);
+        if (layer.shading == Shading::phong) {
+            return phong(layer, tableColour(layer, sample.at), normal.facing);
+        }
+        return styleSample(scene_, layer, sample.at, normal, ray_->view).colour;
+    }
+
+    HWY_NOINLINE void composeLayer(const KernelLayer& layer, const Sample& sample, bool edge) {
+        const Floats whole = hn::IfThenElseZero(alive_, sample.at.read(layer.stepOpacity));
+        if (hn::AllFalse(kF, hn::Gt(whole, splat(0)))) {
+            return;
+        }
+        if (layer.directionalOpacity) {
+            const Normal normal = normalAt(field_, sample.place, ray_->view);
+            const StyleSample style = styleSample(scene_, layer, sample.at, normal, ray_->view);
+            const Floats opacity = hn::Mul(sample.at.read(layer.opacity), style.alpha);
+            add(style.colour, hn::IfThenElseZero(alive_, opacityOfStep(scene_, opacity, sample.part)));
+            return;
+        }
+        add(colour(layer, sample), edge ? opacityOfPart(whole, sample.part) : whole);
+    }
+
+    HWY_INLINE void add(const Colour& c, Floats opacity) {
+        const Floats weight = hn::NegMulAdd(opacity, alpha_, opacity);
+        red_ = hn::MulAdd(weight, c.r, red_);
+        green_ = hn::MulAdd(weight, c.g, green_);
+        blue_ = hn::MulAdd(weight, c.b, blue_);
+        alpha_ = hn::Add(alpha_, weight);
+    }
+
+    const KernelScene& scene_;
+    VoxelField field_;
+    KernelCounts& counts_;
+    bool oneOpacity_; ///< a sample's opacity is known before its colour: no directional opacity, one layer
+    const RayPacket* ray_ = nullptr;
+    Floats k_{}, end_{}, red_{}, green_{}, blue_{}, alpha_{};
+    Mask alive_{};
+};
+
+/// Packet of neighbouring rays: 2x2, 4x2 or 4x4.
+struct PacketShape {
+    int width, height;
+};
+HWY_INLINE PacketShape packetShape() {
+    const int lanes = static_cast<int>(hn::Lanes(kF));
+    const int width = lanes >= 8 ? 4 : lanes >= 4 ? 2 : 1;
+    return {width, lanes / width};
+}
+
+template <typename Voxel, typename Offset>
+void castRays(const KernelScene& scene, const KernelBlock& block, float* rgba, KernelCounts& counts) {
+    const PacketShape shape = packetShape();
+    const RayBlock rays(scene, block);
+    March<Voxel, Offset> march(scene, counts);
+    alignas(64) float dx[kMaxLanes];
+    alignas(64) float dy[kMaxLanes];
+    alignas(64) float channel[4][kMaxLanes];
+    const int lanes = shape.width * shape.height;
+    for (int y = 0; y < block.height; y += shape.height) {
+        for (int x = 0; x < block.width; x += shape.width) {
+            for (int lane = 0; lane < lanes; ++lane) {
+                dx[lane] = static_cast<float>(x + lane % shape.width) + 0.5F - 0.5F * KernelBlock::kSize;
+                dy[lane] = static_cast<float>(y + lane / shape.width) + 0.5F - 0.5F * KernelBlock::kSize;
+            }
+            const RayPacket packet = rays.packet(hn::Load(kF, dx), hn::Load(kF, dy));
+            if (hn::AllFalse(kF, packet.hit)) {
+                continue; // the picture starts out clear
+            }
+            march.run(packet);
+            march.result(channel[0], channel[1], channel[2], channel[3]);
+            for (int lane = 0; lane < lanes; ++lane) {
+                float* pixel = rgba + 4 * ((y + lane / shape.width) * KernelBlock::kSize + x + lane % shape.width);
+                for (int c = 0; c < 4; ++c) {
+                    pixel[c] = channel[c][lane];
+                }
+            }
+        }
+    }
+}
+template <typename Voxel>
+void castWidth(const KernelScene& scene, const KernelBlock& block, float* rgba, KernelCounts& counts) {
+    if (scene.wide) {
+        castRays<Voxel, std::int64_t>(scene, block, rgba, counts);
+    } else {
+        castRays<Voxel, std::int32_t>(scene, block, rgba, counts);
+    }
+}
+
+} // namespace limner::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
