@@ -13,8 +13,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace limner::HWY_NAMESPACE {
 
-/// Marches one packet. Choices that hold for a whole figure are plain branches: every lane of every packet takes the same
-/// side, so they cost next to nothing, while a template for each would multiply the code.
+/// Marches one packet. Choices that hold for a whole figure are plain branches: every lane of every packet takes the
+/// same side, so they cost next to nothing, while a template for each would multiply the code.
 template <typename Voxel, typename Offset>
 class March {
     using VoxelField = Field<Voxel, Offset>;
