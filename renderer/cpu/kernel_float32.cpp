@@ -9,7 +9,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace limner::HWY_NAMESPACE {
 
-void castTarget(const KernelScene& scene, const KernelBlock& block, float* rgba, KernelCounts& counts) {
+void castFloat32Target(const KernelScene& scene, const KernelBlock& block, float* rgba, KernelCounts& counts) {
     castWidth<float>(scene, block, rgba, counts);
 }
 
@@ -21,11 +21,11 @@ HWY_AFTER_NAMESPACE();
 namespace limner {
 
 namespace {
-HWY_EXPORT(castTarget);
+HWY_EXPORT(castFloat32Target);
 }
 
 void castBlockFloat32(const KernelScene& scene, const KernelBlock& block, float* rgba, KernelCounts& counts) {
-    HWY_DYNAMIC_DISPATCH(castTarget)(scene, block, rgba, counts);
+    HWY_DYNAMIC_DISPATCH(castFloat32Target)(scene, block, rgba, counts);
 }
 
 } // namespace limner

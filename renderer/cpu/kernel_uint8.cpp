@@ -9,7 +9,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace limner::HWY_NAMESPACE {
 
-void castTarget(const KernelScene& scene, const KernelBlock& block, float* rgba, KernelCounts& counts) {
+void castUint8Target(const KernelScene& scene, const KernelBlock& block, float* rgba, KernelCounts& counts) {
     castWidth<std::uint8_t>(scene, block, rgba, counts);
 }
 
@@ -21,11 +21,11 @@ HWY_AFTER_NAMESPACE();
 namespace limner {
 
 namespace {
-HWY_EXPORT(castTarget);
+HWY_EXPORT(castUint8Target);
 }
 
 void castBlockUint8(const KernelScene& scene, const KernelBlock& block, float* rgba, KernelCounts& counts) {
-    HWY_DYNAMIC_DISPATCH(castTarget)(scene, block, rgba, counts);
+    HWY_DYNAMIC_DISPATCH(castUint8Target)(scene, block, rgba, counts);
 }
 
 } // namespace limner

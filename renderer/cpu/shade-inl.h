@@ -43,7 +43,7 @@ HWY_NOINLINE Normal normalAt(const Field& field, const typename Field::Place& pl
 }
 
 /// x^n for x in [0, 1], n > 0; whole exponents by repeated squaring, others by exp and log.
-HWY_NOINLINE Floats power(Floats x, float n) {
+HWY_NOINLINE inline Floats power(Floats x, float n) {
     const auto whole = static_cast<unsigned>(n);
     if (static_cast<float>(whole) != n || whole > 1024) {  // beyond, squaring costs as much as exp and log
         const Floats positive = hn::Max(x, splat(1e-30F)); // log of 0 is not wanted; 1e-30^n is as good as 0
@@ -151,7 +151,7 @@ HWY_INLINE StyleSample mix(const StyleSample& a, const StyleSample& b, Floats t)
             lerp(a.alpha, b.alpha, t)};
 }
 
-HWY_NOINLINE StyleSample sphereSample(const KernelScene& scene, const KernelLayer& layer, const SpherePlace& at,
+HWY_NOINLINE inline StyleSample sphereSample(const KernelScene& scene, const KernelLayer& layer, const SpherePlace& at,
                                       Ints slot, Floats trusted) {
     const KernelAtlas& atlas = scene.atlas;
     const Ints first = hn::Mul(slot, splatInt(atlas.size * atlas.size));
@@ -191,14 +191,14 @@ HWY_INLINE StyleSample styleSample(const KernelScene& scene, const KernelLayer& 
 }
 
 /// Opacity of one step from that of the reference length.
-HWY_NOINLINE Floats opacityOfStep(const KernelScene& scene, Floats opacity, Floats steps) {
+HWY_NOINLINE inline Floats opacityOfStep(const KernelScene& scene, Floats opacity, Floats steps) {
     const Floats depth =
         hn::Mul(hn::Mul(splat(scene.stepRatio), steps), hn::Log1p(kF, hn::Neg(hn::Min(opacity, splat(1.0F - 1e-7F)))));
     return hn::IfThenElse(hn::Ge(opacity, splat(1.0F - 1e-7F)), splat(1), hn::Neg(hn::Expm1(kF, depth)));
 }
 
 /// Opacity of a part of a step from that of the whole.
-HWY_NOINLINE Floats opacityOfPart(Floats opacity, Floats part) {
+HWY_NOINLINE inline Floats opacityOfPart(Floats opacity, Floats part) {
     const Floats depth = hn::Mul(part, hn::Log1p(kF, hn::Neg(hn::Min(opacity, splat(1.0F - 1e-7F)))));
     return hn::IfThenElse(hn::Ge(opacity, splat(1.0F - 1e-7F)), splat(1), hn::Neg(hn::Expm1(kF, depth)));
 }
