@@ -7,6 +7,12 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <new>
+#include <optional>
+#include <vector>
+
+#include <sys/types.h>
 
 namespace limner {
 
@@ -71,13 +77,75 @@ class BorrowedStream : public OIIO::Filesystem::IOFile {
     void close() override { flush(); }
 };
 
+/// A stream that hands everything on to another and never reports a failure: libjpeg ends the process where a write
+/// fails. The other stream remembers the failure, and whoever owns it looks there.
+class ForgivingStream {
+  public:
+    explicit ForgivingStream(std::FILE* target) {
+        cookie_io_functions_t functions{};
+        functions.write = [](void* cookie, const char* bytes, std::size_t count) {
+            static_cast<void>(std::fwrite(bytes, 1, count, static_cast<std::FILE*>(cookie)));
+            return static_cast<ssize_t>(count);
+        };
+        stream_ = ::fopencookie(target, "wb", functions);
+        if (stream_ == nullptr) {
+            throw std::bad_alloc();
+        }
+    }
+    ~ForgivingStream() { std::fclose(stream_); }
+    ForgivingStream(const ForgivingStream&) = delete;
+    ForgivingStream& operator=(const ForgivingStream&) = delete;
+    [[nodiscard]] std::FILE* stream() const { return stream_; }
+
+  private:
+    std::FILE* stream_ = nullptr;
+};
+
 struct PictureWriter::Encoder {
     PictureHeader header;
+    std::optional<ForgivingStream> forgiving; ///< JPEG only
     BorrowedStream file;
     std::unique_ptr<OIIO::ImageOutput> output;
     int nextRow = 0;
 
-    Encoder(const PictureHeader& h, std::FILE* stream) : header(h), file(stream) {}
+    Encoder(const PictureHeader& h, std::FILE* stream) : header(h), file(streamFor(stream)) {}
+
+    std::FILE* streamFor(std::FILE* stream) {
+        return header.format == PictureFormat::jpeg ? forgiving.emplace(stream).stream() : stream;
+    }
+
+    /// At the first rows: an output that was never opened has nothing to complain of when it is given up.
+    void open() {
+        if (output != nullptr) {
+            return;
+        }
+        output = OIIO::ImageOutput::create(traitsOf(header.format).library);
+        // The name is only for the library's messages: the bytes go to the stream.
+        if (output == nullptr || !output->set_ioproxy(&file) || !output->open(header.name, specOf(header))) {
+            fail();
+        }
+    }
+
+    /// Lets go of a picture that is not finished. libpng complains on standard error of a file without a single coded
+    /// block, so it is made to write one: noise, which no deflate keeps back beyond its buffers of 64 KiB.
+    void abandon() {
+        if (output == nullptr || header.format != PictureFormat::png) {
+            return;
+        }
+        constexpr std::size_t kNoise = std::size_t{256} << 10;
+        const std::size_t rowBytes = static_cast<std::size_t>(header.size.x) * header.layout.bytesPerPixel();
+        std::vector<std::byte> row(rowBytes);
+        std::uint32_t state = 1;
+        for (std::byte& b : row) {
+            state = state * 1664525U + 1013904223U; // Numerical Recipes' generator: any noise will do
+            b = static_cast<std::byte>(state >> 24);
+        }
+        for (std::size_t written = 0; written < kNoise && nextRow < header.size.y; written += rowBytes, ++nextRow) {
+            if (!output->write_scanline(nextRow, 0, typeOf(header.layout.type), row.data())) {
+                return;
+            }
+        }
+    }
 
     [[noreturn]] void fail() const {
         const std::string reason = output != nullptr ? output->geterror() : OIIO::geterror();
@@ -90,19 +158,13 @@ struct PictureWriter::Encoder {
 };
 
 PictureWriter::PictureWriter(const PictureHeader& header, std::FILE* stream)
-    : encoder_(std::make_unique<Encoder>(header, stream)) {
-    Encoder& e = *encoder_;
-    e.output = OIIO::ImageOutput::create(traitsOf(header.format).library);
-    // The name is only for the library's messages: the bytes go to the stream.
-    if (e.output == nullptr || !e.output->set_ioproxy(&e.file) || !e.output->open(header.name, specOf(header))) {
-        e.fail();
-    }
-}
+    : encoder_(std::make_unique<Encoder>(header, stream)) {}
 
-PictureWriter::~PictureWriter() = default;
+PictureWriter::~PictureWriter() { encoder_->abandon(); }
 
 void PictureWriter::writeRows(std::span<const std::byte> bytes, int rows) {
     Encoder& e = *encoder_;
+    e.open();
     if (!e.output->write_scanlines(e.nextRow, e.nextRow + rows, 0, typeOf(e.header.layout.type), bytes.data())) {
         e.fail();
     }
@@ -111,10 +173,12 @@ void PictureWriter::writeRows(std::span<const std::byte> bytes, int rows) {
 
 void PictureWriter::finish() {
     Encoder& e = *encoder_;
+    e.open();
     if (!e.output->close()) {
         e.fail();
     }
     e.output.reset();
+    e.file.flush();
 }
 
 } // namespace limner

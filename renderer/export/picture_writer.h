@@ -25,13 +25,12 @@ struct PictureHeader {
 /// them. One thread at a time.
 class PictureWriter {
   public:
-    /// Throws Error(noResources) where the format's library refuses.
     PictureWriter(const PictureHeader& header, std::FILE* stream);
     ~PictureWriter();
     PictureWriter(const PictureWriter&) = delete;
     PictureWriter& operator=(const PictureWriter&) = delete;
 
-    /// The next `rows` rows in the layout's form.
+    /// The next `rows` rows in the layout's form. Throws Error(noResources) where the format's library refuses.
     void writeRows(std::span<const std::byte> bytes, int rows);
     /// Completes the file; nothing can be written after it.
     void finish();

@@ -1,0 +1,130 @@
+#include "app/cli/explain_command.h"
+
+#include "app/cli/console.h"
+#include "app/cli/facts.h"
+#include "core/base/quantity.h"
+#include "renderer/backend_choice.h"
+#include "renderer/plan/explain.h"
+#include "renderer/thread_limit.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <optional>
+
+namespace limner::cli {
+
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  limner explain skull.limner
+  limner explain head.nii.gz --preset skull --size 4096x4096 --json
+)";
+
+Facts names(const std::vector<PlanFeature>& features) {
+    Facts list = Facts::array();
+    for (const PlanFeature& feature : features) {
+        list.push_back(feature.name);
+    }
+    return list;
+}
+
+Facts explanationFacts(const Explanation& e) {
+    Facts reasons = Facts::object();
+    for (const auto* features : {&e.used, &e.leftOut}) {
+        for (const PlanFeature& feature : *features) {
+            reasons[feature.name] = feature.reason;
+        }
+    }
+    Facts bytes = Facts::object();
+    Facts estimated = Facts::object();
+    Facts measured{{"planning", e.planningMs}};
+    for (const PartCost& part : e.parts) {
+        bytes[part.name] = part.bytes;
+        estimated[part.name] = part.estimatedMs;
+        measured[part.name] = part.measuredMs;
+    }
+    bytes["total"] = e.bytes();
+    estimated["total"] = e.estimatedMs();
+    measured["total"] = e.measuredMs();
+    return {{"features_used", names(e.used)},
+            {"features_left_out", names(e.leftOut)},
+            {"reasons", reasons},
+            {"fields", e.fields},
+            {"not_drawn", e.notDrawn},
+            {"bytes", bytes},
+            {"milliseconds", {{"estimated", estimated}, {"measured", measured}}},
+            {"backend", e.backend},
+            {"probe_pixels", {e.probe.x, e.probe.y}},
+            {"samples_per_pixel", e.samplesPerPixel},
+            {"occupied", e.occupied}};
+}
+
+std::string explanationText(const Explanation& e) {
+    std::string text = "Used\n";
+    for (const PlanFeature& f : e.used) {
+        text += "  " + f.name + (f.reason.empty() ? "" : ": " + f.reason) + "\n";
+    }
+    text += "Left out\n";
+    for (const PlanFeature& f : e.leftOut) {
+        text += "  " + f.name + (f.reason.empty() ? "" : ": " + f.reason) + "\n";
+    }
+    text += "Read at every sample\n ";
+    for (const std::string& field : e.fields) {
+        text += " " + field;
+    }
+    text += "\nCost                estimated     measured   memory\n";
+    const auto row = [&](const std::string& name, double estimated, double measured, std::uint64_t bytes) {
+        char line[128];
+        std::snprintf(line, sizeof line, "  %-14s %9.1f ms %9.1f ms   %s\n", name.c_str(), estimated, measured,
+                      bytes > 0 ? formatBytes(bytes).c_str() : "-");
+        text += line;
+    };
+    for (const PartCost& part : e.parts) {
+        row(part.name, part.estimatedMs, part.measuredMs, part.bytes);
+    }
+    row("total", e.estimatedMs(), e.measuredMs(), e.bytes());
+    char line[160];
+    std::snprintf(line, sizeof line,
+                  "Rendering was measured on %d x %d pixels with the %s backend: %.1f samples a pixel; %.0f %% of the "
+                  "volume holds something to see.\n",
+                  e.probe.x, e.probe.y, e.backend.c_str(), e.samplesPerPixel, e.occupied * 100);
+    return text + line;
+}
+
+} // namespace
+
+void ExplainCommand::declare(CLI::App& app) {
+    app.description("Shows the render plan of a figure: what it uses and why, what is left out, the memory it holds\n"
+                    "and the time each part takes, estimated and measured on this machine.");
+    app.footer(kExamples);
+    figure_.declareInput(app, "FIGURE-or-VOLUME", "A .limner project, a figure.json or a scan");
+    figure_.declareLook(app);
+    figure_.declareSize(app);
+    app.add_option("--backend", backend_, "What renders: auto, cpu or reference (slow, double precision) [auto]")
+        ->option_text("NAME");
+    figure_.declareMachine(app);
+}
+
+int ExplainCommand::run(Console& console) {
+    const auto backend = makeBackend(backend_);
+    std::optional<ThreadLimit> limit;
+    if (figure_.threads() > 0) {
+        limit.emplace(figure_.threads());
+    }
+    const Document document = figure_.open(console);
+    const Explanation explanation = explainFigure(document.figure, {}, *backend, console.task());
+    for (const std::string& line : explanation.notDrawn) {
+        console.task().warn(line);
+    }
+    Facts facts = explanationFacts(explanation);
+    facts["warnings"] = console.task().warnings();
+    if (console.json) {
+        printFacts(console, facts);
+    } else {
+        console.print(explanationText(explanation));
+    }
+    return 0;
+}
+
+} // namespace limner::cli

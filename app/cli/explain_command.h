@@ -1,0 +1,21 @@
+#pragma once
+
+#include "app/cli/command.h"
+#include "app/cli/figure_options.h"
+
+#include <string>
+
+namespace limner::cli {
+
+/// `limner explain`: what a figure uses, what it leaves out, and what that costs.
+class ExplainCommand : public Command {
+  public:
+    void declare(CLI::App& app) override;
+    int run(Console& console) override;
+
+  private:
+    FigureOptions figure_;
+    std::string backend_ = "auto";
+};
+
+} // namespace limner::cli

@@ -1,0 +1,96 @@
+#include "app/cli/list_commands.h"
+
+#include "app/cli/console.h"
+#include "app/cli/facts.h"
+#include "core/figure/presets.h"
+#include "core/style/lit_sphere.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+
+namespace limner::cli {
+
+namespace {
+
+/// Columns as wide as their longest text.
+std::string table(const std::vector<std::vector<std::string>>& rows) {
+    std::vector<std::size_t> widths;
+    for (const auto& row : rows) {
+        widths.resize(std::max(widths.size(), row.size()), 0);
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            widths[i] = std::max(widths[i], row[i].size());
+        }
+    }
+    std::string text;
+    for (const auto& row : rows) {
+        std::string line;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            line += row[i];
+            if (i + 1 < row.size()) {
+                line.append(widths[i] - row[i].size() + 2, ' ');
+            }
+        }
+        text += line + "\n";
+    }
+    return text;
+}
+
+std::string join(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) {
+        text += (text.empty() ? "" : ", ") + word;
+    }
+    return text;
+}
+
+} // namespace
+
+void StyleListCommand::declare(CLI::App& app) {
+    app.description("Lists the bundled lit-sphere styles: id, name and what they suit. The id is what a figure's\n"
+                    "nodes refer to.");
+    app.footer("Examples:\n  limner style list\n  limner style list --json\n");
+}
+
+int StyleListCommand::run(Console& console) {
+    std::vector<std::vector<std::string>> rows;
+    Facts list = Facts::array();
+    for (const Style& style : bundledStyles()) {
+        const StyleCard& card = style.card;
+        rows.push_back({card.id, card.name, join(card.tags)});
+        list.push_back({{"id", card.id},
+                        {"name", card.name},
+                        {"tags", card.tags},
+                        {"origin", card.origin},
+                        {"credit", card.credit},
+                        {"licence", card.licence}});
+    }
+    if (console.json) {
+        printFacts(console, {{"styles", list}});
+    } else {
+        console.print(table(rows));
+    }
+    return 0;
+}
+
+void PresetListCommand::declare(CLI::App& app) {
+    app.description("Lists the bundled presets: name for --preset, the kind of scan, and what it shows.");
+    app.footer("Examples:\n  limner preset list\n  limner preset list --json\n");
+}
+
+int PresetListCommand::run(Console& console) {
+    std::vector<std::vector<std::string>> rows;
+    Facts list = Facts::array();
+    for (const PresetCard& card : bundledPresets()) {
+        rows.push_back({card.id, card.modality, card.help});
+        list.push_back({{"id", card.id}, {"name", card.name}, {"help", card.help}, {"modality", card.modality}});
+    }
+    if (console.json) {
+        printFacts(console, {{"presets", list}});
+    } else {
+        console.print(table(rows));
+    }
+    return 0;
+}
+
+} // namespace limner::cli

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "app/cli/command.h"
+
+namespace limner::cli {
+
+/// `limner style list`: the bundled lit-sphere styles.
+class StyleListCommand : public Command {
+  public:
+    void declare(CLI::App& app) override;
+    int run(Console& console) override;
+};
+
+/// `limner preset list`: the bundled presets.
+class PresetListCommand : public Command {
+  public:
+    void declare(CLI::App& app) override;
+    int run(Console& console) override;
+};
+
+} // namespace limner::cli

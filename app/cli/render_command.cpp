@@ -1,0 +1,148 @@
+#include "app/cli/render_command.h"
+
+#include "app/cli/console.h"
+#include "app/cli/facts.h"
+#include "app/cli/words.h"
+#include "core/base/process.h"
+#include "core/base/quantity.h"
+#include "renderer/backend_choice.h"
+#include "renderer/plan/planner.h"
+#include "renderer/thread_limit.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <optional>
+
+namespace limner::cli {
+
+namespace {
+
+struct NamedDepth {
+    const char* name;
+    SampleDepth depth;
+};
+constexpr NamedDepth kDepths[] = {
+    {"8", SampleDepth::eight}, {"16", SampleDepth::sixteen}, {"float", SampleDepth::floating}};
+
+constexpr const char* kExamples = R"(Examples:
+  limner render head.nii.gz -o head.png
+  limner render dicom-folder -o skull.tif --preset skull --view left --width-mm 120 --dpi 600 --depth 16
+  limner render skull.limner -o poster.png --size 16384x16384 --transparent --set /camera/height_mm=150
+)";
+
+/// What is left of --memory for the picture.
+std::size_t pictureBudget(std::uint64_t memory, const RenderPlan& plan) {
+    const std::uint64_t held = plan.figure->volume->data->bytes() +
+                               (plan.volume == plan.figure->volume->data ? 0 : plan.volume->bytes()) + plan.bytes;
+    if (held >= memory) {
+        throw Error(ErrorKind::noResources,
+                    {"the picture does not fit the memory budget", "--memory",
+                     "the scan and the plan alone take " + formatBytes(held), "allow more memory"});
+    }
+    return static_cast<std::size_t>(memory - held);
+}
+
+} // namespace
+
+void RenderCommand::declare(CLI::App& app) {
+    app.description("Renders a figure, a project or a scan to a picture file.\n"
+                    "A scan needs nothing else: the preset auto makes a figure of it.");
+    app.footer(kExamples);
+    figure_.declareInput(app, "FIGURE-or-VOLUME",
+                         "A .limner project, a figure.json, or a scan: DICOM folder or file, .nii(.gz), .hdr/.img, "
+                         ".nrrd, .nhdr, .mha, .mhd, .vti, .vtk, a TIFF or PNG stack, .inv3");
+    declarePicture(app);
+    figure_.declareLook(app);
+    figure_.declareSize(app);
+    app.add_option("--backend", backend_, "What renders: auto, cpu or reference (slow, double precision) [auto]")
+        ->option_text("NAME");
+    app.add_option("--tile", tile_, "Edge of the tiles that are rendered at a time, in pixels [from the budget]")
+        ->option_text("N")
+        ->check(CLI::Range(1, 1'000'000).description(""));
+    app.add_flag("--no-omit", keepEverything_, "Leave nothing out of the plan: to prove that this changes nothing");
+    figure_.declareMachine(app);
+}
+
+void RenderCommand::declarePicture(CLI::App& app) {
+    app.add_option("-o,--output", out_, "The picture; its ending picks the format: png, tif, exr, jpg or webp")
+        ->required()
+        ->option_text("FILE");
+    app.add_option("--depth", depth_, "Numbers in the file: 8, 16 (half in exr) or float [8; float in exr]")
+        ->option_text("DEPTH");
+    app.add_flag("--transparent", transparent_, "Leave the background out (png, tif, exr, webp)");
+    app.add_option("--background", background_, "Paper colour: #rrggbb, r,g,b from 0 to 1, white, grey or black")
+        ->option_text("COLOUR");
+}
+
+PictureOptions RenderCommand::pictureOptions(const Figure& figure) const {
+    PictureOptions options;
+    options.dpi = figure.output.dpi;
+    options.depth = depth_.empty() ? SampleDepth::automatic : chosen(kDepths, depth_, "--depth").depth;
+    options.background = background_.empty() ? figure.background.rgba : parseColour(background_, "--background");
+    options.transparent = transparent_ || (figure.output.transparent && background_.empty());
+    options.tile = tile_;
+    options.memoryBudget = figure_.memory().value_or(options.memoryBudget);
+    return options;
+}
+
+int RenderCommand::run(Console& console) {
+    const auto start = std::chrono::steady_clock::now();
+    // What is wrong with the request is said before a scan of a gigabyte is read.
+    checkExport(out_, {0, 0}, pictureOptions(Figure{}));
+    const auto backend = makeBackend(backend_);
+    std::optional<ThreadLimit> limit;
+    if (figure_.threads() > 0) {
+        limit.emplace(figure_.threads());
+    }
+    Task& task = console.task();
+    const Document document = figure_.open(console);
+    PictureOptions options = pictureOptions(document.figure);
+    checkExport(out_, document.figure.output.sizePixels(), options);
+
+    task.beginPhase("Planning");
+    Planner planner;
+    PlanRequest request;
+    request.omit = !keepEverything_;
+    const auto plan = planner.plan(document.figure, request, task);
+    for (const std::string& line : plan->notDrawn) {
+        task.warn(line);
+    }
+    if (const auto memory = figure_.memory()) {
+        options.memoryBudget = pictureBudget(*memory, *plan);
+    }
+    const ExportFacts facts = exportPicture(*plan, *backend, out_, options, task);
+    report(console, facts, backend->name(),
+           std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    return facts.notFinite > 0 ? static_cast<int>(ErrorKind::notFinite) : 0;
+}
+
+void RenderCommand::report(Console& console, const ExportFacts& facts, const std::string& backend,
+                           double seconds) const {
+    std::error_code ignored;
+    const auto fileBytes = std::filesystem::file_size(out_, ignored);
+    if (console.json) {
+        Facts object{{"file", out_},
+                     {"width", facts.size.x},
+                     {"height", facts.size.y},
+                     {"backend", backend},
+                     {"seconds", seconds},
+                     {"render_seconds", facts.seconds},
+                     {"samples", facts.samples},
+                     {"shaded", facts.shaded},
+                     {"non_finite_pixels", facts.notFinite},
+                     {"file_bytes", fileBytes},
+                     {"peak_bytes", peakResidentBytes()},
+                     {"warnings", console.task().warnings()}};
+        printFacts(console, object);
+        return;
+    }
+    char text[160];
+    std::snprintf(text, sizeof text, "%d x %d pixels, %s, %s backend, %.1f s", facts.size.x, facts.size.y,
+                  formatBytes(fileBytes).c_str(), backend.c_str(), seconds);
+    console.say(out_ + ": " + text);
+}
+
+} // namespace limner::cli
