@@ -1,0 +1,165 @@
+#include "core/figure/figure_json.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <span>
+
+namespace limner {
+namespace {
+
+/// A figure without a fault.
+Figure soundFigure() {
+    Figure figure;
+    StyleEntry style;
+    style.id = "ivory";
+    style.file = "bundled:ivory";
+    figure.styles = {style};
+    Layer layer;
+    TransferNode node;
+    node.style = "ivory";
+    layer.transfer.nodes = {node, node};
+    layer.transfer.nodes[1].at = 5;
+    layer.transfer.opacity = {{0, 0}, {1, 0.5}, {1, 1}};
+    figure.layers = {layer};
+    return figure;
+}
+
+bool hasProblem(const Figure& figure, const std::string& pointer, bool fatal) {
+    const std::vector<Problem> problems = validateFigure(figure);
+    return std::any_of(problems.begin(), problems.end(), [&](const Problem& problem) {
+        return problem.pointer == pointer && problem.fatal == fatal && !problem.why.empty();
+    });
+}
+
+TEST(Validate, SoundFigureHasNoProblem) {
+    EXPECT_TRUE(validateFigure(soundFigure()).empty());
+    EXPECT_TRUE(partsNotDrawn(soundFigure()).empty());
+    Figure phong = soundFigure();
+    phong.layers[0].shading = Shading::phong;
+    phong.layers[0].specular.emplace();
+    EXPECT_TRUE(validateFigure(phong).empty());
+}
+
+using Edit = std::function<void(Figure&)>;
+
+using Case = std::pair<const char*, Edit>;
+
+void expectFatal(std::span<const Case> cases) {
+    for (const auto& [pointer, edit] : cases) {
+        Figure figure = soundFigure();
+        edit(figure);
+        EXPECT_TRUE(hasProblem(figure, pointer, true)) << pointer;
+    }
+}
+
+TEST(Validate, FaultsOfViewAndOutputAreFatal) {
+    const Case cases[] = {
+        {"/camera/direction",
+         [](Figure& f) {
+             f.camera.direction = {0, 0, 0};
+         }},
+        {"/camera/up",
+         [](Figure& f) {
+             f.camera.up = {0, 0, 0};
+         }},
+        {"/camera/up", [](Figure& f) { f.camera.up = f.camera.direction * -3.0; }},
+        {"/camera/height_mm", [](Figure& f) { f.camera.heightMm = 0; }},
+        {"/camera/fov_deg",
+         [](Figure& f) {
+             f.camera.projection = Projection::perspective;
+             f.camera.fovDeg = 180;
+         }},
+        {"/clip/box_mm",
+         [](Figure& f) {
+             f.clip.boxMm = BoxMm{{0, 0, 0}, {1, -1, 1}};
+         }},
+        {"/clip/planes/0/normal",
+         [](Figure& f) {
+             f.clip.planes.push_back({{0, 0, 0}, 0});
+         }},
+        {"/cleanup/0/polygon", [](Figure& f) { f.cleanup.emplace_back().kind = CleanupKind::scissors; }},
+        {"/cleanup/0/at_mm", [](Figure& f) { f.cleanup.emplace_back().kind = CleanupKind::keepAt; }},
+        {"/cleanup/0/kind", [](Figure& f) { f.cleanup.emplace_back().kind = CleanupKind::eraseLabel; }},
+    };
+    expectFatal(cases);
+}
+
+TEST(Validate, FaultsOfStylesAndLayersAreFatal) {
+    const Case cases[] = {
+        {"/styles/1/id", [](Figure& f) { f.styles.push_back(f.styles[0]); }},
+        {"/styles/0/file", [](Figure& f) { f.styles[0].file.clear(); }},
+        {"/layers/0/transfer/nodes", [](Figure& f) { f.layers[0].transfer.nodes.clear(); }},
+        {"/layers/0/transfer/nodes/1/at", [](Figure& f) { f.layers[0].transfer.nodes[1].at = -1; }},
+        {"/layers/0/transfer/nodes/1/style", [](Figure& f) { f.layers[0].transfer.nodes[1].style = "iovry"; }},
+        {"/layers/0/transfer/nodes/1", [](Figure& f) { f.layers[0].transfer.nodes[1].style.clear(); }},
+        {"/layers/0/transfer/opacity/1/0", [](Figure& f) { f.layers[0].transfer.opacity[1].x = -1; }},
+        {"/layers/0/transfer/opacity/2/1", [](Figure& f) { f.layers[0].transfer.opacity[2].y = 1.01; }},
+        {"/layers/0/opacity", [](Figure& f) { f.layers[0].opacity = -1; }},
+        {"/layers/0/tone/keys/1/at",
+         [](Figure& f) {
+             f.layers[0].tone = Tone{{}, {{1, {}}, {0, {}}}, 1};
+         }},
+        {"/layers/0/transfer/axes", [](Figure& f) { f.layers[0].transfer.kind = TransferKind::twoDimensional; }},
+        {"/layers/0/transfer/nodes/styles",
+         [](Figure& f) {
+             f.layers[0].transfer.kind = TransferKind::twoDimensional;
+             f.layers[0].transfer.grid = TransferGrid{{0, 1}, {0}, {{"ivory"}}};
+         }},
+        {"/layers/0/transfer/nodes/y/1",
+         [](Figure& f) {
+             f.layers[0].transfer.kind = TransferKind::twoDimensional;
+             f.layers[0].transfer.grid = TransferGrid{{0}, {1, 1}, {{"ivory"}, {"ivory"}}};
+         }},
+        {"/output", [](Figure& f) { f.output.widthMm = 0; }},
+        {"/output",
+         [](Figure& f) {
+             f.output.dpi = 1e5;
+             f.output.heightMm = 1e5;
+         }},
+        {"/quality/samples_per_pixel", [](Figure& f) { f.quality.samplesPerPixel = 3; }},
+    };
+    expectFatal(cases);
+}
+
+TEST(Validate, PartsThatAreNotDrawnAreSaid) {
+    const std::pair<const char*, Edit> cases[] = {
+        {"/labels", [](Figure& f) { f.labels.emplace(); }},
+        {"/second_volume", [](Figure& f) { f.secondVolume.emplace(); }},
+        {"/layers/0/transfer/kind", [](Figure& f) { f.layers[0].transfer.kind = TransferKind::twoDimensional; }},
+        {"/layers/0/transfer/axis", [](Figure& f) { f.layers[0].transfer.axis = "gradient"; }},
+        {"/layers/0/contours", [](Figure& f) { f.layers[0].contours.emplace(); }},
+        {"/layers/0/transparency", [](Figure& f) { f.layers[0].transparency = Transparency::illustrative; }},
+        {"/layers/0/tone", [](Figure& f) { f.layers[0].tone.emplace(); }},
+        {"/layers/0/silhouette", [](Figure& f) { f.layers[0].silhouette.emplace(); }},
+        {"/layers/0/specular", [](Figure& f) { f.layers[0].specular.emplace(); }},
+        {"/layers/0/gradient_opacity", [](Figure& f) { f.layers[0].gradientOpacity.emplace(); }},
+        {"/layers/0/line_gradient_opacity", [](Figure& f) { f.layers[0].lineGradientOpacity.emplace(); }},
+        {"/layers/0/position", [](Figure& f) { f.layers[0].position.emplace(); }},
+        {"/layers/0/depth_of_field", [](Figure& f) { f.layers[0].depthOfField.emplace(); }},
+        {"/layers/0/labels", [](Figure& f) { f.layers[0].labels.emplace(); }},
+        {"/importance", [](Figure& f) { f.importance.emplace(); }},
+        {"/stipple", [](Figure& f) { f.stipple.emplace(); }},
+        {"/background/kind", [](Figure& f) { f.background.kind = "image"; }},
+        {"/annotations", [](Figure& f) { f.annotations.emplace_back(); }},
+        {"/quality/gradient", [](Figure& f) { f.quality.gradient = GradientEstimator::sobel; }},
+        {"/quality/interpolation", [](Figure& f) { f.quality.interpolation = Interpolation::tricubic; }},
+        {"/quality/tolerance", [](Figure& f) { f.quality.tolerance = 0.01; }},
+    };
+    for (const auto& [pointer, edit] : cases) {
+        Figure figure = soundFigure();
+        edit(figure);
+        const std::vector<std::string> lines = partsNotDrawn(figure);
+        ASSERT_EQ(lines.size(), 1u) << pointer;
+        EXPECT_TRUE(lines[0].starts_with(std::string(pointer) + ": ")) << lines[0];
+        EXPECT_TRUE(hasProblem(figure, pointer, false)) << pointer;
+    }
+    Figure hidden = soundFigure();
+    hidden.layers[0].contours.emplace();
+    hidden.layers[0].visible = false;
+    EXPECT_TRUE(partsNotDrawn(hidden).empty());
+}
+
+} // namespace
+} // namespace limner
