@@ -209,6 +209,14 @@ std::span<const Field> fieldsOf<CleanupStep>() {
                                    .cost = kFields,
                                    .low = 0,
                                    .written = asked<T, writesLabel>}),
+        field<&T::openingMm>("opening_mm", {.label = "Opening",
+                                            .help = "Matter thinner than twice this does not connect, so that a "
+                                                    "headrest that touches the skin goes; 0: plain connection.",
+                                            .cost = kFields,
+                                            .unit = "mm",
+                                            .low = 0,
+                                            .high = 100,
+                                            .omitDefault = true}),
     };
     return fields;
 }
