@@ -62,6 +62,9 @@ Reader readerOf(const Context& context) {
         return readNifti;
     }
     const std::string head = headOf(context.path, 1024);
+    if (head.size() >= 132 && head.compare(128, 4, "DICM") == 0) {
+        return readDicom; // first: its preamble may be another format's header
+    }
     if (head.starts_with("NRRD000")) {
         return readNrrd;
     }
@@ -73,9 +76,6 @@ Reader readerOf(const Context& context) {
     }
     if (name.ends_with(".inv3") || startsAsTar(head)) {
         return readInvesalius;
-    }
-    if (head.size() >= 132 && head.compare(128, 4, "DICM") == 0) {
-        return readDicom;
     }
     if (startsAsNifti(head)) {
         return readNifti;

@@ -74,6 +74,7 @@ struct DataLayout {
     std::uint64_t lineSkip = 0; ///< lines after `offset`
     std::int64_t byteSkip = 0;  ///< bytes after those, uncompressed; -1: the data are the last bytes of the file
     bool swapped = false;
+    bool moreFollows = false; ///< other text may come after the numbers
 };
 
 /// The first `count` numbers of a layout that holds `total`; checks the files' lengths before it allocates.

@@ -26,12 +26,14 @@ std::uint64_t skipLines(const Context& context, const std::filesystem::path& fil
 }
 
 /// Text that must hold `count` numbers, each with a gap after it.
-std::string dataText(const Context& context, const std::filesystem::path& file, std::uint64_t offset,
+std::string dataText(const Context& context, const DataLayout& layout, const std::filesystem::path& file,
                      std::uint64_t count) {
+    std::uint64_t offset = skipLines(context, file, layout.offset, layout.lineSkip);
+    offset += static_cast<std::uint64_t>(std::max<std::int64_t>(layout.byteSkip, 0));
     const std::uint64_t length = fileLength(context, file);
     const std::uint64_t left = length - std::min(length, offset);
     constexpr std::uint64_t kLongestNumber = 64; // characters with gaps; the longest double takes 25
-    if (left + 1 < 2 * count || left > kLongestNumber * (count + 64)) {
+    if (left + 1 < 2 * count || (!layout.moreFollows && left > kLongestNumber * (count + 64))) {
         context.refuse("its header promises " + std::to_string(count) + " numbers, which " + std::to_string(left) +
                        " characters of text cannot be");
     }
@@ -164,10 +166,8 @@ ByteBuffer readNumbers(const Context& context, const DataLayout& layout, ScalarT
         if (layout.text == DataLayout::Text::binary) {
             readBinary(context, layout, file, perFile * width, out);
         } else {
-            std::uint64_t offset = skipLines(context, file, layout.offset, layout.lineSkip);
-            offset += static_cast<std::uint64_t>(std::max<std::int64_t>(layout.byteSkip, 0));
             const bool hex = layout.text == DataLayout::Text::hex;
-            const std::string text = dataText(context, file, offset, hex ? perFile * width : perFile);
+            const std::string text = dataText(context, layout, file, hex ? perFile * width : perFile);
             if (hex) {
                 parseHex(context, text, out);
             } else {
