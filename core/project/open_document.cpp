@@ -1,0 +1,262 @@
+#include "core/base/error.h"
+#include "core/figure/figure_json.h"
+#include "core/figure/presets.h"
+#include "core/project/archive.h"
+#include "core/project/project.h"
+
+#include <fstream>
+#include <optional>
+#include <sstream>
+
+namespace limner {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kEmbeddedName = "volume.nrrd";
+constexpr const char* kBundledPrefix = "bundled:";
+constexpr const char* kBuiltinPrefix = "builtin:";
+
+std::string textOf(const fs::path& path) {
+    constexpr std::uintmax_t kLongest = std::uintmax_t{16} << 20; // as `readFigure` takes
+    std::error_code failure;
+    const bool regular = fs::is_regular_file(path, failure);
+    const std::uintmax_t size = regular ? fs::file_size(path, failure) : 0;
+    std::ifstream file(path, std::ios::binary);
+    if (!regular || failure || !file) {
+        throw Error(ErrorKind::badInput,
+                    {"cannot read the figure", path.string(),
+                     fs::exists(path, failure) ? "it is not a readable file" : "no such file", "check the path"});
+    }
+    if (size > kLongest) {
+        throw Error(ErrorKind::badInput,
+                    {"cannot read the figure", path.string(), "the text has " + std::to_string(size) + " bytes",
+                     "a figure has at most 16 MiB"});
+    }
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+/// What a figure refers to is looked for here.
+class Resolver {
+  public:
+    Resolver(Document& document, fs::path folder, const ImportOptions& options, Task& task)
+        : document_(document), folder_(std::move(folder)), options_(options), task_(task) {
+        if (looksLikeArchive(document.path)) {
+            archive_.emplace(document.path);
+        }
+    }
+
+    void run() {
+        Figure& figure = document_.figure;
+        if (figure.volume && figure.volume->data == nullptr) {
+            loadVolume(*figure.volume, "scan", &document_.volumeReport);
+        }
+        if (figure.secondVolume && figure.secondVolume->data == nullptr) {
+            loadVolume(*figure.secondVolume, "second scan", nullptr);
+        }
+        if (figure.labels && figure.labels->data == nullptr) {
+            loadLabels(*figure.labels);
+        }
+        for (StyleEntry& style : figure.styles) {
+            if (style.sphere == nullptr) {
+                loadEntry(style);
+            }
+        }
+    }
+
+  private:
+    void note(const std::string& text) {
+        document_.notes.push_back(text);
+        task_.warn(text);
+    }
+
+    /// Runs a part whose failure is a note, not the end; stopping and want of memory end it all the same.
+    template <class Load>
+    void attempt(const std::string& what, const Load& load) {
+        try {
+            load();
+        } catch (const Error& error) {
+            if (error.kind() == ErrorKind::cancelled || error.kind() == ErrorKind::noResources) {
+                throw;
+            }
+            note(what + ": " + error.what());
+        }
+    }
+
+    /// Where a referred file is: beside the project, or where it was.
+    std::optional<fs::path> found(const std::string& path, const std::string& absolute) const {
+        if (path.starts_with(kBuiltinPrefix)) {
+            return fs::path(path);
+        }
+        std::error_code ignored;
+        for (const fs::path& candidate : {path.empty() ? fs::path() : folder_ / path, fs::path(absolute)}) {
+            if (!candidate.empty() &&
+                (fs::is_regular_file(candidate, ignored) || fs::is_directory(candidate, ignored))) {
+                return candidate;
+            }
+        }
+        return std::nullopt;
+    }
+
+    /// `report`: of the main scan, which documents keep; null for others.
+    void loadVolume(VolumeReference& reference, const std::string& what, ImportReport* report) {
+        ImportOptions options = options_;
+        options.raw = reference.raw.empty() ? options.raw : reference.raw;
+        options.series = reference.series.empty() ? options.series : reference.series;
+        ImportedVolume imported;
+        if (reference.embedded && archive_ && archive_->find(kEmbeddedName) != nullptr) {
+            attempt("the embedded " + what, [&] {
+                const TemporaryFolder temporary;
+                imported = importVolume(unpack(*archive_->find(kEmbeddedName), temporary), ImportOptions{}, task_);
+            });
+        } else {
+            const std::optional<fs::path> path = found(reference.path, reference.absolutePath);
+            if (!path) {
+                note("the " + what + " " + reference.path + " was not found beside the figure" +
+                     (reference.absolutePath.empty() ? "" : " nor at " + reference.absolutePath) +
+                     "; give its new place");
+                return;
+            }
+            attempt("the " + what, [&] { imported = importVolume(*path, options, task_); });
+            if (imported.volume != nullptr && !reference.path.starts_with(kBuiltinPrefix)) {
+                std::error_code ignored;
+                reference.absolutePath = fs::weakly_canonical(*path, ignored).string();
+            }
+        }
+        const std::string& sum = imported.report.sha256Values;
+        if (imported.volume != nullptr && !reference.sha256.empty() && !sum.empty() && sum != reference.sha256) {
+            note("the " + what + " " + reference.path + " has changed since the figure was saved");
+        }
+        reference.data = imported.volume;
+        if (report != nullptr && imported.volume != nullptr) {
+            *report = std::move(imported.report);
+        }
+    }
+
+    void loadLabels(LabelReference& reference) {
+        const std::optional<fs::path> path = found(reference.path, "");
+        if (!path) {
+            note("the labels " + reference.path + " were not found beside the figure");
+            return;
+        }
+        ImportOptions options;
+        options.labels = true;
+        attempt("the labels", [&] { reference.data = importVolume(*path, options, task_).volume; });
+    }
+
+    void loadEntry(StyleEntry& style) {
+        attempt("the style \"" + style.id + "\"", [&] {
+            if (style.file.starts_with(kBundledPrefix)) {
+                const Style* bundled = findBundledStyle(style.file.substr(std::string(kBundledPrefix).size()));
+                if (bundled == nullptr) {
+                    note("the style \"" + style.id + "\": this version has no " + style.file);
+                } else {
+                    style.sphere = bundled->sphere;
+                }
+                return;
+            }
+            const ArchiveEntry* entry = archive_ ? archive_->find(style.file) : nullptr;
+            std::error_code ignored;
+            if (entry != nullptr && entry->kind == EntryKind::style) {
+                const TemporaryFolder temporary;
+                style.sphere = loadStyle(unpack(*entry, temporary)).sphere;
+            } else if (!archive_ && fs::is_regular_file(folder_ / style.file, ignored)) {
+                style.sphere = loadStyle(folder_ / style.file).sphere;
+            } else {
+                note("the style \"" + style.id + "\": the picture " + style.file + " is not there");
+            }
+        });
+    }
+
+    /// Under a name of our own; only the ending, from a short list, is the entry's.
+    fs::path unpack(const ArchiveEntry& entry, const TemporaryFolder& temporary) const {
+        const fs::path path = temporary.path() / ("entry" + fs::path(entry.name).extension().string());
+        std::ofstream file(path, std::ios::binary);
+        archive_->readInto(entry, [&](std::span<const char> piece) {
+            task_.throwIfCancelled();
+            file.write(piece.data(), static_cast<std::streamsize>(piece.size()));
+        });
+        file.close();
+        if (!file) {
+            throw Error(ErrorKind::noResources,
+                        {"cannot unpack " + entry.name, path.string(), "the disk is full", "free some space"});
+        }
+        return path;
+    }
+
+    Document& document_;
+    fs::path folder_;
+    const ImportOptions& options_;
+    Task& task_;
+    std::optional<Archive> archive_;
+};
+
+Document documentFromText(const std::string& text, const fs::path& path) {
+    Document document;
+    document.path = path;
+    std::vector<Problem> problems;
+    document.figure = readFigure(text, path.string(), &problems);
+    for (const Problem& problem : problems) {
+        document.notes.push_back(problem.pointer + ": " + problem.why +
+                                 (problem.mend.empty() ? "" : "; " + problem.mend));
+    }
+    return document;
+}
+
+Document documentFromVolume(const fs::path& path, const std::string& preset, const ImportOptions& options, Task& task) {
+    Document document;
+    ImportedVolume imported = importVolume(path, options, task);
+    document.figure = figureFromPreset(preset.empty() ? "auto" : preset, imported.volume, document.notes);
+    VolumeReference reference;
+    reference.path = path.string();
+    if (!reference.path.starts_with(kBuiltinPrefix)) {
+        std::error_code ignored;
+        reference.absolutePath = fs::weakly_canonical(path, ignored).string();
+        reference.path = reference.absolutePath;
+    }
+    reference.sha256 = imported.report.sha256Values;
+    reference.bytes = static_cast<std::int64_t>(imported.report.fileBytes);
+    reference.raw = options.raw;
+    reference.series = options.series;
+    reference.data = imported.volume;
+    document.figure.volume = std::move(reference);
+    document.volumeReport = std::move(imported.report);
+    return document;
+}
+
+} // namespace
+
+Document openDocument(const fs::path& path, const std::string& preset, const ImportOptions& options, Task& task) {
+    std::string text;
+    if (looksLikeArchive(path)) {
+        const Archive archive(path);
+        const ArchiveEntry* figure = archive.find("figure.json");
+        if (figure == nullptr) {
+            throw Error(ErrorKind::badInput, {"cannot read the project", path.string(), "it holds no figure.json",
+                                              "give a .limner file that Limner saved"});
+        }
+        text = archive.read(*figure);
+    } else if (path.extension() == ".json") {
+        text = textOf(path);
+    } else if (path.extension() == ".limner") {
+        std::error_code ignored;
+        throw Error(ErrorKind::badInput,
+                    {"cannot read the project", path.string(),
+                     fs::exists(path, ignored) ? "it is not a zip file" : "no such file",
+                     fs::exists(path.string() + "~", ignored) ? "there is a backup: " + path.string() + "~"
+                                                              : "check the path"});
+    } else {
+        return documentFromVolume(path, preset, options, task);
+    }
+    Document document = documentFromText(text, path);
+    resolveFigure(document, path.parent_path(), options, task);
+    return document;
+}
+
+void resolveFigure(Document& document, const fs::path& folder, const ImportOptions& options, Task& task) {
+    Resolver(document, folder, options, task).run();
+}
+
+} // namespace limner
