@@ -2,12 +2,13 @@
 
 #include "app/cli/console.h"
 #include "app/cli/facts.h"
-#include "core/base/quantity.h"
+#include "core/figure/quantity.h"
 #include "renderer/backend_choice.h"
+#include "renderer/export/thread_limit.h"
 #include "renderer/plan/explain.h"
-#include "renderer/thread_limit.h"
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include <cstdio>
 #include <optional>
@@ -15,6 +16,8 @@
 namespace limner::cli {
 
 namespace {
+
+using Facts = nlohmann::ordered_json;
 
 constexpr const char* kExamples = R"(Examples:
   limner explain skull.limner

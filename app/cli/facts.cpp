@@ -2,13 +2,12 @@
 
 #include "app/cli/console.h"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace limner::cli {
 
-void printFacts(Console& console, const Facts& facts) {
-    console.print(facts.dump(2, ' ', false, Facts::error_handler_t::replace) + "\n");
-}
+void printFactText(Console& console, const std::string& text) { console.print(text + "\n"); }
 
 std::string factLine(const std::string& label, const std::string& text) {
     constexpr std::size_t kColumn = 16; // the longest label of any command

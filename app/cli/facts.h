@@ -1,18 +1,19 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
-
 #include <string>
 
 namespace limner::cli {
 
 class Console;
 
-/// Facts in the order they are written.
-using Facts = nlohmann::ordered_json;
+/// One object on standard output, text as it stands.
+void printFactText(Console& console, const std::string& text);
 
-/// One object on standard output. Text that is not UTF-8 is mended, numbers that are not finite are null.
-void printFacts(Console& console, const Facts& facts);
+/// The same of a JSON library's object. Text that is not UTF-8 is mended, numbers that are not finite are null.
+template <typename Json>
+void printFacts(Console& console, const Json& facts) {
+    printFactText(console, facts.dump(2, ' ', false, Json::error_handler_t::replace));
+}
 
 /// `label: text`, labels padded to one column.
 std::string factLine(const std::string& label, const std::string& text);

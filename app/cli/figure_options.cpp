@@ -2,9 +2,9 @@
 
 #include "app/cli/console.h"
 #include "app/cli/words.h"
-#include "core/base/quantity.h"
 #include "core/figure/figure_json.h"
 #include "core/figure/output_size.h"
+#include "core/figure/quantity.h"
 #include "core/style/lit_sphere.h"
 
 #include <CLI/CLI.hpp>

@@ -2,16 +2,19 @@
 
 #include "app/cli/console.h"
 #include "app/cli/facts.h"
-#include "core/base/quantity.h"
+#include "core/figure/quantity.h"
 #include "core/volume/histogram.h"
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
 namespace limner::cli {
 
 namespace {
+
+using Facts = nlohmann::ordered_json;
 
 constexpr const char* kExamples = R"(Examples:
   limner info head.nii.gz

@@ -6,12 +6,15 @@
 #include "core/style/lit_sphere.h"
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
 namespace limner::cli {
 
 namespace {
+
+using Facts = nlohmann::ordered_json;
 
 /// Columns as wide as their longest text.
 std::string table(const std::vector<std::vector<std::string>>& rows) {
@@ -66,7 +69,7 @@ int StyleListCommand::run(Console& console) {
                         {"licence", card.licence}});
     }
     if (console.json) {
-        printFacts(console, {{"styles", list}});
+        printFacts(console, Facts{{"styles", list}});
     } else {
         console.print(table(rows));
     }
@@ -86,7 +89,7 @@ int PresetListCommand::run(Console& console) {
         list.push_back({{"id", card.id}, {"name", card.name}, {"help", card.help}, {"modality", card.modality}});
     }
     if (console.json) {
-        printFacts(console, {{"presets", list}});
+        printFacts(console, Facts{{"presets", list}});
     } else {
         console.print(table(rows));
     }

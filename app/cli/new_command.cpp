@@ -4,10 +4,11 @@
 #include "app/cli/facts.h"
 #include "renderer/backend_choice.h"
 #include "renderer/export/picture_file.h"
+#include "renderer/export/thread_limit.h"
 #include "renderer/plan/planner.h"
-#include "renderer/thread_limit.h"
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <optional>
@@ -15,6 +16,8 @@
 namespace limner::cli {
 
 namespace {
+
+using Facts = nlohmann::ordered_json;
 
 constexpr const char* kExamples = R"(Examples:
   limner new head.nii.gz -o head.limner
@@ -79,11 +82,11 @@ int NewCommand::run(Console& console) {
     options.thumbnailPng = thumbnailOf(document.figure, task);
     saveDocument(document, path, options, task);
     if (console.json) {
-        printFacts(console, {{"file", out_},
-                             {"embedded", embed_},
-                             {"file_bytes", std::filesystem::file_size(path, ignored)},
-                             {"layers", document.figure.layers.size()},
-                             {"warnings", task.warnings()}});
+        printFacts(console, Facts{{"file", out_},
+                                  {"embedded", embed_},
+                                  {"file_bytes", std::filesystem::file_size(path, ignored)},
+                                  {"layers", document.figure.layers.size()},
+                                  {"warnings", task.warnings()}});
     }
     console.say(out_ + ": a project with " + std::to_string(document.figure.layers.size()) +
                 (document.figure.layers.size() == 1 ? " layer" : " layers"));

@@ -4,12 +4,13 @@
 #include "app/cli/facts.h"
 #include "app/cli/words.h"
 #include "core/base/process.h"
-#include "core/base/quantity.h"
+#include "core/figure/quantity.h"
 #include "renderer/backend_choice.h"
+#include "renderer/export/thread_limit.h"
 #include "renderer/plan/planner.h"
-#include "renderer/thread_limit.h"
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -19,6 +20,8 @@
 namespace limner::cli {
 
 namespace {
+
+using Facts = nlohmann::ordered_json;
 
 struct NamedDepth {
     const char* name;

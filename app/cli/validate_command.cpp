@@ -6,12 +6,15 @@
 #include "core/project/figure_text.h"
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
 namespace limner::cli {
 
 namespace {
+
+using Facts = nlohmann::ordered_json;
 
 constexpr const char* kExamples = R"(Examples:
   limner validate figure.json
@@ -36,7 +39,7 @@ int ValidateCommand::run(Console& console) {
         for (const Problem& p : problems) {
             list.push_back({{"pointer", p.pointer}, {"why", p.why}, {"mend", p.mend}, {"fatal", p.fatal}});
         }
-        printFacts(console, {{"valid", valid}, {"problems", list}});
+        printFacts(console, Facts{{"valid", valid}, {"problems", list}});
     } else {
         for (const Problem& p : problems) {
             console.print((p.fatal ? "error: " : "note: ") + oneLine({p.pointer, "", p.why, p.mend}) + "\n");

@@ -1,4 +1,4 @@
-#include "core/base/quantity.h"
+#include "core/figure/quantity.h"
 
 #include "core/base/error.h"
 

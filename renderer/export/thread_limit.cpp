@@ -1,4 +1,4 @@
-#include "renderer/thread_limit.h"
+#include "renderer/export/thread_limit.h"
 
 #include <OpenImageIO/imageio.h>
 
