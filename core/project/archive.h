@@ -51,7 +51,7 @@ class Archive {
     [[noreturn]] void refuse(const std::string& why, const std::string& remedy) const;
     void open();
     void checkEntries();
-    [[nodiscard]] ArchiveEntry checkedEntry(const zip_stat& stat) const;
+    [[nodiscard]] ArchiveEntry checkedEntry(const struct zip_stat& stat) const;
 
     std::filesystem::path path_;
     void* zip_ = nullptr;

@@ -138,7 +138,7 @@ void Archive::open() {
     }
 }
 
-ArchiveEntry Archive::checkedEntry(const zip_stat& stat) const {
+ArchiveEntry Archive::checkedEntry(const struct zip_stat& stat) const {
     const std::string name = stat.name;
     if (const char* fault = nameFault(name)) {
         refuse(fault, kHostile);
