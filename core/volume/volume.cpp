@@ -9,8 +9,12 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
-#include <new>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
 
 namespace limner {
 
@@ -66,7 +70,23 @@ std::size_t storeIndex(const BrickLayout& layout, glm::ivec3 voxel) {
            static_cast<std::size_t>(local.y) * BrickLayout::kRow + static_cast<std::size_t>(local.x);
 }
 
+/// A ray touches bricks all over the store: with small pages every other fetch would also miss the address cache, so the
+/// store asks for huge ones.
+std::byte* allocateStore(std::size_t bytes) {
+    constexpr std::size_t hugePage = std::size_t{2} << 20;
+    const std::size_t rounded = (bytes + hugePage - 1) / hugePage * hugePage;
+    void* store = std::aligned_alloc(hugePage, rounded);
+#ifdef MADV_HUGEPAGE
+    if (store != nullptr) {
+        madvise(store, rounded, MADV_HUGEPAGE); // a wish; without it the store is only slower
+    }
+#endif
+    return static_cast<std::byte*>(store);
+}
+
 } // namespace
+
+void Volume::Release::operator()(std::byte* store) const { std::free(store); }
 
 Volume::Volume(Contents contents, std::span<const std::byte> stored) : contents_(std::move(contents)) {
     const Grid& grid = contents_.grid;
@@ -74,13 +94,15 @@ Volume::Volume(Contents contents, std::span<const std::byte> stored) : contents_
     assert(grid.dims.x > 0 && grid.dims.y > 0 && grid.dims.z > 0);
     assert(stored.size() == grid.voxelCount() * bytes);
     layout_.bricks = (grid.dims + BrickLayout::kBrickCells - 1) / BrickLayout::kBrickCells;
-    try {
-        store_.resize(layout_.brickCount() * BrickLayout::kBrickVoxels * bytes + 2 * BrickLayout::kStorePaddingBytes);
-    } catch (const std::bad_alloc&) {
+    storeBytes_ = layout_.brickCount() * BrickLayout::kBrickVoxels * bytes + 2 * BrickLayout::kStorePaddingBytes;
+    store_.reset(allocateStore(storeBytes_));
+    if (!store_) {
         throw Error(ErrorKind::noResources,
                     {"not enough memory for the volume", "", "", "close other programs or load a part of it"});
     }
-    std::byte* first = store_.data() + BrickLayout::kStorePaddingBytes;
+    std::fill_n(store_.get(), BrickLayout::kStorePaddingBytes, std::byte{0});
+    std::fill_n(store_.get() + storeBytes_ - BrickLayout::kStorePaddingBytes, BrickLayout::kStorePaddingBytes, std::byte{0});
+    std::byte* first = store_.get() + BrickLayout::kStorePaddingBytes;
     bricks_ = first;
     switch (contents_.type) {
     case VoxelType::uint8:

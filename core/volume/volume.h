@@ -79,7 +79,7 @@ class Volume {
     [[nodiscard]] const BrickLayout& layout() const { return layout_; }
     /// First voxel of brick 0.
     [[nodiscard]] const std::byte* bricks() const { return bricks_; }
-    [[nodiscard]] std::size_t bytes() const { return store_.size(); }
+    [[nodiscard]] std::size_t bytes() const { return storeBytes_; }
 
     [[nodiscard]] double valueFromStored(double stored) const { return contents_.slope * stored + contents_.intercept; }
     [[nodiscard]] double storedFromValue(double value) const { return (value - contents_.intercept) / contents_.slope; }
@@ -93,7 +93,11 @@ class Volume {
   private:
     Contents contents_;
     BrickLayout layout_;
-    std::vector<std::byte> store_;
+    struct Release {
+        void operator()(std::byte* store) const;
+    };
+    std::unique_ptr<std::byte, Release> store_;
+    std::size_t storeBytes_ = 0;
     const std::byte* bricks_ = nullptr;
 };
 

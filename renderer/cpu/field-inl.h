@@ -32,7 +32,8 @@ struct Field {
 
     const KernelScene& scene;
 
-    HWY_INLINE Place locate(const Vec3& q) const {
+    /// Lanes outside `live` may stand anywhere; they look at the first cell.
+    HWY_INLINE Place locate(const Vec3& q, Mask live) const {
         const Ints ix = truncate(q.x);
         const Ints iy = truncate(q.y);
         const Ints iz = truncate(q.z);
@@ -50,14 +51,16 @@ struct Field {
             hn::Add(hn::Mul(hn::And(iz, inside), splatInt(kSliceBytes)),
                     hn::Mul(hn::And(iy, inside), splatInt(kRowBytes))),
             hn::Add(hn::Mul(hn::And(ix, inside), splatInt(kBytes)), splatInt(kSliceBytes + kRowBytes + kBytes)));
+        const auto masked = [&](Ints v) HWY_ATTR { return hn::IfThenElseZero(hn::RebindMask(kI, live), v); };
         constexpr std::int64_t brickBytes = std::int64_t{BrickLayout::kBrickVoxels} * kBytes;
         if constexpr (sizeof(Offset) == 4) {
-            store(hn::Add(hn::Mul(brick, splatInt(static_cast<std::int32_t>(brickBytes))), local), place.offsets);
+            store(masked(hn::Add(hn::Mul(brick, splatInt(static_cast<std::int32_t>(brickBytes))), local)),
+                  place.offsets);
         } else {
             alignas(64) std::int32_t bricks[kMaxLanes];
             alignas(64) std::int32_t locals[kMaxLanes];
-            hn::Store(brick, kI, bricks);
-            hn::Store(local, kI, locals);
+            hn::Store(masked(brick), kI, bricks);
+            hn::Store(masked(local), kI, locals);
             for (std::size_t lane = 0; lane < hn::Lanes(kI); ++lane) {
                 place.offsets.at[lane] = bricks[lane] * brickBytes + locals[lane];
             }

@@ -6,8 +6,8 @@
 #define LIMNER_MARCH_INL_H
 #endif
 
+#include "renderer/cpu/queue-inl.h"
 #include "renderer/cpu/rays-inl.h"
-#include "renderer/cpu/shade-inl.h"
 #include "renderer/plan/skip_grid.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -22,12 +22,13 @@ class March {
     static constexpr int kBurst = 4; ///< steps between two looks at the skip grid: 4 to 8 measured best
 
   public:
-    March(const KernelScene& scene, KernelCounts& counts)
-        : scene_(scene), field_{scene}, counts_(counts),
+    March(const KernelScene& scene, float* rgba)
+        : scene_(scene), field_{scene}, queue_(scene, rgba),
           oneOpacity_(scene.layerCount == 1 && !scene.layers[0].directionalOpacity) {}
 
-    HWY_INLINE void run(const RayPacket& ray) {
+    HWY_INLINE void run(const RayPacket& ray, Ints pixel) {
         ray_ = &ray;
+        pixel_ = pixel;
         red_ = green_ = blue_ = alpha_ = splat(0);
         k_ = hn::Floor(ray.first);
         end_ = hn::Ceil(ray.end);
@@ -39,12 +40,17 @@ class March {
         }
     }
 
+    /// Colours that were composed one by one; with one opacity the queue has added them to the picture instead.
+    [[nodiscard]] bool hasColours() const { return !oneOpacity_; }
     HWY_INLINE void result(float* r, float* g, float* b, float* a) const {
         hn::Store(red_, kF, r);
         hn::Store(green_, kF, g);
         hn::Store(blue_, kF, b);
         hn::Store(alpha_, kF, a);
     }
+    /// Shades what still waits; after the last packet of a block.
+    HWY_INLINE void finish() { queue_.finish(); }
+    [[nodiscard]] const KernelCounts& counts() const { return counts_; }
 
   private:
     HWY_INLINE Vec3 position(Floats s) const {
@@ -110,7 +116,7 @@ class March {
                 part = segment();
             }
             const Vec3 q = position(hn::MulAdd(part.length, splat(scene_.phase), part.begin));
-            const Place place = field_.locate(liveOnly(q));
+            const Place place = field_.locate(q, alive_);
             const Floats entry = hn::MulAdd(field_.value(place), splat(scene_.tableScale), splat(scene_.tableBias));
             const TablePlace at(entry);
             const Floats visible = hn::IfThenElseZero(alive_, at.read(scene_.visibility));
@@ -118,7 +124,7 @@ class March {
             const Mask shows = hn::Gt(visible, splat(0));
             if (!hn::AllFalse(kF, shows)) {
                 counts_.shaded += hn::CountTrue(kF, shows);
-                contribute({place, at, visible, part.length}, edge);
+                contribute({place, entry, at, visible, part.length}, shows, edge);
                 alive_ = hn::And(alive_, hn::Lt(alpha_, splat(scene_.opaque)));
             }
             k_ = hn::Add(k_, splat(1));
@@ -129,42 +135,28 @@ class March {
         }
     }
 
-    /// Lanes that have ended run on beside the others; they look at the first cell, which is always there.
-    HWY_INLINE Vec3 liveOnly(const Vec3& q) const {
-        return {hn::IfThenElseZero(alive_, q.x), hn::IfThenElseZero(alive_, q.y), hn::IfThenElseZero(alive_, q.z)};
-    }
-
     struct Sample {
         const Place& place;
+        Floats entry;
         const TablePlace& at;
         Floats visible; ///< opacity of a whole step (one layer), or whether there is any (several)
         Floats part;    ///< share of a step that the sample stands for
     };
 
-    HWY_INLINE void contribute(const Sample& sample, bool edge) {
+    HWY_INLINE void contribute(const Sample& sample, Mask shows, bool edge) {
         if (!oneOpacity_) {
             for (int i = 0; i < scene_.layerCount; ++i) {
                 composeLayer(scene_.layers[i], sample, edge);
             }
-        } else {
-            const KernelLayer& layer = scene_.layers[0];
-            Floats opacity = sample.visible;
-            if (edge) {
-                opacity = opacityOfPart(opacity, sample.part);
-            }
-            add(colour(layer, sample), opacity);
+            return;
         }
-    }
-
-    HWY_NOINLINE Colour colour(const KernelLayer& layer, const Sample& sample) const {
-        if (layer.shading == Shading::flat) {
-            return tableColour(layer, sample.at);
+        Floats opacity = sample.visible;
+        if (edge) {
+            opacity = opacityOfPart(opacity, sample.part);
         }
-        const Normal normal = normalAt(field_, sample.place, ray_->view);
-        if (layer.shading == Shading::phong) {
-            return phong(layer, tableColour(layer, sample.at), normal.facing);
-        }
-        return styleSample(scene_, layer, sample.at, normal, ray_->view).colour;
+        const Floats weight = hn::NegMulAdd(opacity, alpha_, opacity);
+        alpha_ = hn::Add(alpha_, weight);
+        queue_.push({sample.place, sample.entry, weight, pixel_, ray_->view}, shows);
     }
 
     HWY_NOINLINE void composeLayer(const KernelLayer& layer, const Sample& sample, bool edge) {
@@ -179,7 +171,8 @@ class March {
             add(style.colour, hn::IfThenElseZero(alive_, opacityOfStep(scene_, opacity, sample.part)));
             return;
         }
-        add(colour(layer, sample), edge ? opacityOfPart(whole, sample.part) : whole);
+        add(sampleColour(field_, layer, sample.place, sample.at, ray_->view),
+            edge ? opacityOfPart(whole, sample.part) : whole);
     }
 
     HWY_INLINE void add(const Colour& c, Floats opacity) {
@@ -192,9 +185,11 @@ class March {
 
     const KernelScene& scene_;
     VoxelField field_;
-    KernelCounts& counts_;
+    ShadeQueue<VoxelField, Offset> queue_;
+    KernelCounts counts_;
     bool oneOpacity_; ///< a sample's opacity is known before its colour: no directional opacity, one layer
     const RayPacket* ray_ = nullptr;
+    Ints pixel_{};
     Floats k_{}, end_{}, red_{}, green_{}, blue_{}, alpha_{};
     Mask alive_{};
 };
@@ -213,32 +208,39 @@ template <typename Voxel, typename Offset>
 void castRays(const KernelScene& scene, const KernelBlock& block, float* rgba, KernelCounts& counts) {
     const PacketShape shape = packetShape();
     const RayBlock rays(scene, block);
-    March<Voxel, Offset> march(scene, counts);
+    March<Voxel, Offset> march(scene, rgba);
     alignas(64) float dx[kMaxLanes];
     alignas(64) float dy[kMaxLanes];
+    alignas(64) std::int32_t pixel[kMaxLanes];
     alignas(64) float channel[4][kMaxLanes];
     const int lanes = shape.width * shape.height;
     for (int y = 0; y < block.height; y += shape.height) {
         for (int x = 0; x < block.width; x += shape.width) {
             for (int lane = 0; lane < lanes; ++lane) {
-                dx[lane] = static_cast<float>(x + lane % shape.width) + 0.5F - 0.5F * KernelBlock::kSize;
-                dy[lane] = static_cast<float>(y + lane / shape.width) + 0.5F - 0.5F * KernelBlock::kSize;
+                const int column = x + lane % shape.width;
+                const int row = y + lane / shape.width;
+                dx[lane] = static_cast<float>(column) + 0.5F - 0.5F * KernelBlock::kSize;
+                dy[lane] = static_cast<float>(row) + 0.5F - 0.5F * KernelBlock::kSize;
+                pixel[lane] = row * KernelBlock::kSize + column;
             }
             const RayPacket packet = rays.packet(hn::Load(kF, dx), hn::Load(kF, dy));
             if (hn::AllFalse(kF, packet.hit)) {
                 continue; // the picture starts out clear
             }
-            march.run(packet);
+            march.run(packet, hn::Load(kI, pixel));
             march.result(channel[0], channel[1], channel[2], channel[3]);
+            const int firstChannel = march.hasColours() ? 0 : 3;
             for (int lane = 0; lane < lanes; ++lane) {
-                float* pixel = rgba + 4 * ((y + lane / shape.width) * KernelBlock::kSize + x + lane % shape.width);
-                for (int c = 0; c < 4; ++c) {
-                    pixel[c] = channel[c][lane];
+                for (int c = firstChannel; c < 4; ++c) {
+                    rgba[4 * pixel[lane] + c] = channel[c][lane];
                 }
             }
         }
     }
+    march.finish();
+    counts = march.counts();
 }
+
 template <typename Voxel>
 void castWidth(const KernelScene& scene, const KernelBlock& block, float* rgba, KernelCounts& counts) {
     if (scene.wide) {

@@ -151,8 +151,14 @@ HWY_INLINE StyleSample mix(const StyleSample& a, const StyleSample& b, Floats t)
             lerp(a.alpha, b.alpha, t)};
 }
 
+HWY_INLINE StyleSample choose(Mask mask, const StyleSample& yes, const StyleSample& no) {
+    return {{hn::IfThenElse(mask, yes.colour.r, no.colour.r), hn::IfThenElse(mask, yes.colour.g, no.colour.g),
+             hn::IfThenElse(mask, yes.colour.b, no.colour.b)},
+            hn::IfThenElse(mask, yes.alpha, no.alpha)};
+}
+
 HWY_NOINLINE inline StyleSample sphereSample(const KernelScene& scene, const KernelLayer& layer, const SpherePlace& at,
-                                      Ints slot, Floats trusted) {
+                                             Ints slot, Floats trusted) {
     const KernelAtlas& atlas = scene.atlas;
     const Ints first = hn::Mul(slot, splatInt(atlas.size * atlas.size));
     StyleSample sample;
@@ -163,7 +169,8 @@ HWY_NOINLINE inline StyleSample sphereSample(const KernelScene& scene, const Ker
         const StyleSample mean = {
             {gatherFloats(atlas.mean, entry), gatherFloats(atlas.mean + 1, entry), gatherFloats(atlas.mean + 2, entry)},
             gatherFloats(atlas.mean + 3, entry)};
-        return mix(mean, sample, trusted);
+        const Mask whole = hn::Ge(trusted, splat(1)); // exactly the sample, whoever else is in the vector
+        return choose(whole, sample, mix(mean, sample, trusted));
     }
     return sample;
 }
@@ -200,7 +207,23 @@ HWY_NOINLINE inline Floats opacityOfStep(const KernelScene& scene, Floats opacit
 /// Opacity of a part of a step from that of the whole.
 HWY_NOINLINE inline Floats opacityOfPart(Floats opacity, Floats part) {
     const Floats depth = hn::Mul(part, hn::Log1p(kF, hn::Neg(hn::Min(opacity, splat(1.0F - 1e-7F)))));
-    return hn::IfThenElse(hn::Ge(opacity, splat(1.0F - 1e-7F)), splat(1), hn::Neg(hn::Expm1(kF, depth)));
+    const Floats cut = hn::IfThenElse(hn::Ge(opacity, splat(1.0F - 1e-7F)), splat(1), hn::Neg(hn::Expm1(kF, depth)));
+    return hn::IfThenElse(hn::Ge(part, splat(1)), opacity,
+                          cut); // a whole step bit for bit, whoever else is in the vector
+}
+
+/// Colour of a sample whose opacity does not depend on it.
+template <typename Field>
+HWY_INLINE Colour sampleColour(const Field& field, const KernelLayer& layer, const typename Field::Place& place,
+                               const TablePlace& at, const Vec3& view) {
+    if (layer.shading == Shading::flat) {
+        return tableColour(layer, at);
+    }
+    const Normal normal = normalAt(field, place, view);
+    if (layer.shading == Shading::phong) {
+        return phong(layer, tableColour(layer, at), normal.facing);
+    }
+    return styleSample(field.scene, layer, at, normal, view).colour;
 }
 
 } // namespace limner::HWY_NAMESPACE
