@@ -78,8 +78,10 @@ void continueRim(int size, std::vector<Rgba>& pixels, Inside inside) {
             const double dx = centre - x;
             const double dy = centre - y;
             const double length = std::hypot(dx, dy);
-            // Half a texel at a time: no texel on the way is stepped over by much.
-            for (double way = 0.5; way < length; way += 0.5) {
+            // No texel whose centre is more than one texel outside the rim is inside by any rule, so start there, then
+            // half a texel at a time: no texel on the way is stepped over by much.
+            const double start = std::max(0.5, length - size / 2.0 - 1);
+            for (double way = start; way < length; way += 0.5) {
                 const int px = static_cast<int>(std::lround(x + dx / length * way));
                 const int py = static_cast<int>(std::lround(y + dy / length * way));
                 if (inside(px, py)) {

@@ -55,10 +55,11 @@ def ink_wash():
 
 def hatch(axis, lines, share):
     """Ink of lines around an axis that swell to cover `share` of the ground; every edge has one soft width."""
-    along = np.arccos(np.clip(ball.NORMAL @ axis, -1, 1)) / np.pi * lines
+    height = np.clip(ball.NORMAL @ axis, -1, 1)
+    along = np.arccos(height) / np.pi * lines
     from_line = np.abs(2 * (along - np.floor(along)) - 1)
     soft = 0.30  # of a line's period: sharper lines would shimmer where the form turns quickly
-    return smoothstep(share + soft, share - soft, from_line) * smoothstep(0.0, 0.12, share)
+    return smoothstep(share + soft, share - soft, from_line) * smoothstep(0.0, 0.12, share) * smoothstep(0.98, 0.80, np.abs(height))
 
 
 def engraving():
@@ -66,10 +67,10 @@ def engraving():
     t = soft_light()
     back = smoothstep(0.15, 1.0, ball.NORMAL @ ball.BOUNCE)
     share = np.clip(0.86 - 1.10 * t - 0.22 * back, 0, 0.74)
-    ink = hatch(unit(0.42, 0.84, 0.34), 10, share)
+    ink = hatch(unit(0.40, 0.86, 0.26), 10, share)
     tone = 0.55 * np.clip(0.80 - 1.15 * t - 0.20 * back, 0, 1)
     outline = smoothstep(0.25, 0.12, FACING)
-    return printed(paint("f8f4e9", (np.maximum(0.62 * ink + 1.15 * tone, 2.2 * outline) + 0.03, "54494a")))
+    return printed(paint("f8f4e9", (np.maximum(0.36 * ink + 1.55 * tone, 2.2 * outline) + 0.03, "54494a")))
 
 
 def graphite():
@@ -110,7 +111,7 @@ def blackboard_chalk():
     strokes = noise("stick", 4, 18, stretch=(1, 0.10), angle=0.75)
     outline = smoothstep(0.52, 0.16, FACING) * (0.72 + 0.28 * smoothstep(0.2, 0.9, t))
     body = 0.80 * smoothstep(0.30, 0.98, t) ** 1.2
-    chalk = np.clip(np.maximum(outline, body) * (0.92 + 0.03 * tooth + 0.06 * strokes), 0, 0.96)
+    chalk = np.clip(np.maximum(outline, body) * (0.92 + 0.02 * tooth + 0.045 * strokes), 0, 0.96)
     board = np.broadcast_to(oklab_from_srgb(hex_srgb("22302c")), ball.NORMAL.shape)
     return printed(ball.srgb_from_oklab(toward(board, "f3f1e8", chalk)))
 
@@ -168,7 +169,7 @@ STYLES = [
     ("watercolour-vein", "Watercolour vein", "vessel,vein,watercolour",
      lambda: watercolour("vein", "fbf7ef", "7d9fd2", "34437f", "7a5ea6", 1.10)),
     ("watercolour-bone", "Watercolour bone", "bone,watercolour",
-     lambda: watercolour("watercolour bone", "fcf8ee", "ead2a2", "8f7a72", "b5906a", 0.90)),
+     lambda: watercolour("watercolour bone", "fcf8ee", "e6cb98", "80695f", "b5906a", 1.20)),
     ("ink-line", "Ink line", "outline,ink,bone", ink_line),
     ("ink-wash", "Ink wash", "ink,bone,organ,neutral", ink_wash),
     ("engraving", "Engraving", "ink,bone,outline", engraving),
