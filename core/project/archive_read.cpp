@@ -108,6 +108,63 @@ std::uint64_t largestSize(EntryKind kind) {
     }
 }
 
+std::uint64_t numberAt(const std::string& bytes, std::size_t offset, int count) {
+    std::uint64_t value = 0;
+    for (int i = count; i-- > 0;) {
+        value = value << 8U | static_cast<unsigned char>(bytes[offset + static_cast<std::size_t>(i)]);
+    }
+    return value;
+}
+
+std::string bytesAt(std::ifstream& file, std::uint64_t offset, std::size_t count) {
+    std::string bytes(count, '\0');
+    file.clear();
+    file.seekg(static_cast<std::streamoff>(offset));
+    file.read(bytes.data(), static_cast<std::streamsize>(count));
+    bytes.resize(static_cast<std::size_t>(file.gcount()));
+    return bytes;
+}
+
+/// Start of the zip's directory, from the record at the file's end (APPNOTE 4.3.14 to 4.3.16); past the end when there
+/// is none.
+std::uint64_t directoryStart(std::ifstream& file, std::uint64_t fileBytes) {
+    constexpr std::size_t kEndRecord = 22;
+    constexpr std::size_t kLocator = 20; // of the 64-bit record, just before
+    constexpr std::size_t kLongestComment = 65535;
+    const std::size_t tail = std::min<std::uint64_t>(fileBytes, kEndRecord + kLocator + kLongestComment);
+    const std::string bytes = bytesAt(file, fileBytes - tail, tail);
+    const std::size_t end = bytes.rfind("PK\x05\x06");
+    if (end == std::string::npos || end + kEndRecord > bytes.size()) {
+        return fileBytes;
+    }
+    const std::uint64_t start = numberAt(bytes, end + 16, 4);
+    if (start != 0xffffffffU || end < kLocator || bytes.compare(end - kLocator, 4, "PK\x06\x07") != 0) {
+        return start;
+    }
+    const std::string record = bytesAt(file, numberAt(bytes, end - kLocator + 8, 8), 56);
+    return record.size() == 56 ? numberAt(record, 48, 8) : fileBytes;
+}
+
+/// Whether a name in the zip's directory holds a zero byte, behind which the library would not look.
+bool hidesName(const fs::path& path, std::int64_t count) {
+    constexpr std::size_t kHeader = 46; // of a directory entry, before its name
+    std::error_code ignored;
+    std::ifstream file(path, std::ios::binary);
+    std::uint64_t offset = directoryStart(file, fs::file_size(path, ignored));
+    for (std::int64_t i = 0; i < count; ++i) {
+        const std::string header = bytesAt(file, offset, kHeader);
+        if (header.size() < kHeader || header.compare(0, 4, "PK\x01\x02") != 0) {
+            return true; // not where the library sees it
+        }
+        const std::size_t length = numberAt(header, 28, 2);
+        if (bytesAt(file, offset + kHeader, length).find('\0') != std::string::npos) {
+            return true;
+        }
+        offset += kHeader + length + numberAt(header, 30, 2) + numberAt(header, 32, 2);
+    }
+    return false;
+}
+
 } // namespace
 
 Archive::Archive(const fs::path& path) : path_(path) {
@@ -178,6 +235,9 @@ void Archive::checkEntries() {
     const std::int64_t count = zip_get_num_entries(zip, 0);
     if (count > kMostEntries) {
         refuse("it has " + std::to_string(count) + " entries", "a project has at most 10000");
+    }
+    if (hidesName(path_, count)) {
+        refuse("an entry's name holds a zero byte", kHostile);
     }
     std::error_code ignored;
     const std::uint64_t fileBytes = fs::file_size(path_, ignored);
