@@ -9,6 +9,10 @@
 #include <string>
 #include <unistd.h>
 
+#ifdef __SANITIZE_ADDRESS__
+#include <sanitizer/lsan_interface.h>
+#endif
+
 namespace limner {
 namespace {
 
@@ -151,6 +155,10 @@ TEST_F(StyleFile, WhatIsNoStyleIsRefusedInOneLine) {
     EXPECT_NE(failureOf(write("vast.png", pngOf({9000, 9000, 8, 0, {51}}))).find("out of range"), std::string::npos);
     EXPECT_NE(failureOf(write("lying.png", pngOf({4096, 4096, 16, 6, {1, 2, 3, 4}}))).find("lying.png"),
               std::string::npos);
+#ifdef __SANITIZE_ADDRESS__
+    // OpenImageIO's PNG reader leaves a failed read by longjmp, past the destructor of its message: not our leak.
+    const __lsan::ScopedDisabler notOurs;
+#endif
     std::string cut = pngOf({64, 64, 16, 6, {1, 2, 3, 4}});
     cut.resize(60);
     EXPECT_NE(failureOf(write("cut.png", cut)).find("cut.png"), std::string::npos);
