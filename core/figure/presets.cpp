@@ -11,12 +11,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
-#include <map>
+#include <limits>
 
 namespace limner {
 
@@ -168,25 +170,23 @@ void resolveStyles(Figure& figure) {
     }
 }
 
-/// One flat colour per label, far apart in hue for neighbours in number.
-Layer regionsLayer(const ScanFacts& facts, bool flat) {
-    constexpr double kGoldenTurn = 0.61803398875; // neighbours' hues fall far apart
+/// One colour per label, from cool to warm: linear interpolation between two labels passes those between them, so
+/// neighbours in number must look alike.
+Layer regionsLayer(const ScanFacts& facts) {
     constexpr int kMostRegions = 512;
+    const glm::dvec3 ramp[] = {{0.80, 0.47, 0.40}, {0.86, 0.70, 0.46}, {0.55, 0.68, 0.52}, {0.42, 0.57, 0.70}};
     Layer layer;
     layer.name = "Regions";
-    layer.shading = flat ? Shading::flat : Shading::phong;
-    const auto last = static_cast<int>(std::lround(facts.histogram.range.high));
-    for (int label = 1; label <= std::min(last, kMostRegions); ++label) {
-        const double hue = std::fmod(label * kGoldenTurn, 1.0) * 6;
-        const auto channel = [&](double shift) {
-            const double x = std::fmod(hue + shift, 6.0);
-            return 0.45 + 0.45 * std::clamp(std::abs(x - 3) - 1, 0.0, 1.0);
-        };
-        const glm::dvec3 rgb(channel(0), channel(4), channel(2));
+    layer.shading = Shading::phong;
+    const int last = std::clamp(static_cast<int>(std::lround(facts.histogram.range.high)), 1, kMostRegions);
+    for (int label = 1; label <= last; ++label) {
+        const double at = last > 1 ? 3.0 * (label - 1) / (last - 1) : 0;
+        const int low = std::min(static_cast<int>(at), 2);
+        const glm::dvec3 rgb = glm::mix(ramp[low], ramp[low + 1], at - low);
         layer.transfer.nodes.push_back({label - 0.5, "", rgb});
         layer.transfer.nodes.push_back({label + 0.5, "", rgb});
     }
-    layer.transfer.opacity = {{0.5, 0}, {0.5, 1}};
+    layer.transfer.opacity = {{0.4, 0}, {0.6, 1}};
     return layer;
 }
 
@@ -197,7 +197,7 @@ Figure lookOf(const Preset& preset, const ScanFacts& facts) {
     json["limner"] = 1;
     Figure figure = readFigure(json.dump(), "preset " + preset.card.id);
     if (preset.card.id == "regions") {
-        figure.layers = {regionsLayer(facts, false)};
+        figure.layers = {regionsLayer(facts)};
     }
     for (Layer& layer : figure.layers) {
         sortCurves(layer);
@@ -213,30 +213,48 @@ struct Cleaned {
     std::shared_ptr<const Volume> volume;
 };
 
-Cleaned cleanSubject(const Preset& preset, const ScanFacts& facts, const std::shared_ptr<const Volume>& volume,
-                     std::vector<std::string>& notes) {
-    const Json rule = preset.json.value("cleanup", Json::object());
-    if (rule.empty()) {
-        return {{}, volume};
-    }
+CleanupStep cleanupStep(const Json& rule, const ScanFacts& facts, const Grid& grid) {
     CleanupStep step;
     step.above = resolveAnchor(facts, rule.at("above").get<std::string>()).value_or(facts.otsu);
-    const std::string kind = rule.at("kind");
-    step.kind = kind == "remove-islands" ? CleanupKind::removeIslands : CleanupKind::keepLargest;
-    step.openingMm = rule.value("opening_mm", 0.0);
-    step.belowMm3 = rule.value("below_mm3", step.belowMm3);
-    if (rule.contains("below_share")) { // of the volume's box
-        const glm::dvec3 size = volume->grid().sizeMm();
-        step.belowMm3 = rule.at("below_share").get<double>() * size.x * size.y * size.z;
+    step.kind = rule.at("kind") == "remove-islands" ? CleanupKind::removeIslands : CleanupKind::keepLargest;
+    step.openingMm = rule.value("opening_mm", rule.value("opening_voxels", 0.0) * grid.smallestSpacingMm());
+    const glm::dvec3 size = grid.sizeMm();
+    step.belowMm3 = rule.value("below_share", 0.0) * size.x * size.y * size.z; // of the volume's box
+    return step;
+}
+
+/// Share of the matter that a step took away.
+double removedShare(const Volume& before, const Volume& after, double above) {
+    const auto matter = [above](const Volume& volume) {
+        constexpr int kBins = 1024;
+        const Histogram h = computeHistogram(volume, kBins);
+        double sum = 0;
+        for (std::size_t i = 0; i < h.counts.size(); ++i) {
+            sum += h.binCentre(i) > above ? static_cast<double>(h.counts[i]) : 0;
+        }
+        return sum;
+    };
+    const double all = matter(before);
+    return all > 0 ? 1 - matter(after) / all : 0;
+}
+
+/// Runs the preset's clean-up rules and keeps those that change something.
+Cleaned cleanSubject(const Preset& preset, const ScanFacts& facts, const std::shared_ptr<const Volume>& volume,
+                     std::vector<std::string>& notes) {
+    Cleaned cleaned{{}, volume};
+    for (const Json& rule : preset.json.value("cleanup", Json::array())) {
+        const CleanupStep step = cleanupStep(rule, facts, volume->grid());
+        Task task;
+        auto next = applyCleanup(cleaned.volume, nullptr, {step}, 1, task);
+        if (next == cleaned.volume || removedShare(*cleaned.volume, *next, step.above) < rule.value("at_least", 0.0)) {
+            continue;
+        }
+        cleaned.volume = std::move(next);
+        cleaned.steps.push_back(step);
+        notes.push_back(rule.at("note").get<std::string>() + " (clean-up step " + std::to_string(cleaned.steps.size()) +
+                        ", \"" + rule.at("kind").get<std::string>() + "\"; delete it to have everything back).");
     }
-    Task task;
-    auto cleaned = applyCleanup(volume, nullptr, {step}, 1, task);
-    if (cleaned == volume) {
-        return {{}, volume};
-    }
-    notes.push_back(rule.value("note", "What does not belong to the largest body was taken out") +
-                    " (clean-up step \"" + kind + "\"; delete it to have everything back).");
-    return {{step}, std::move(cleaned)};
+    return cleaned;
 }
 
 // ---- camera -----------------------------------------------------------------------------------------------------

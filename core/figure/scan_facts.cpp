@@ -120,8 +120,8 @@ BitGrid coarseMatter(const Volume& volume, double threshold, int stride) {
 struct Body {
     glm::dvec3 sizeMm{0}; ///< of its box
     double filled = 0;    ///< share of its box
-    double thick = 0;     ///< share that is left when three samples are taken off all around: branches leave nothing
-    double share = 0;     ///< of all matter
+    double thick = 0; ///< share of it that is left when three samples are taken off all around: branches leave nothing
+    double share = 0; ///< of all matter
 };
 
 Body measureBody(const Volume& volume, double threshold) {
@@ -138,8 +138,10 @@ Body measureBody(const Volume& volume, double threshold) {
     body.sizeMm = extent * static_cast<double>(stride) * volume.grid().spacingMm;
     body.filled = static_cast<double>(c.voxels) / (extent.x * extent.y * extent.z);
     body.share = static_cast<double>(c.voxels) / static_cast<double>(matter.count());
-    const BitGrid core = eroded(matter, glm::dvec3(1), 3);
-    body.thick = static_cast<double>(core.count()) / static_cast<double>(matter.count());
+    std::vector<bool> largest(islands.list().size());
+    largest[0] = true;
+    const BitGrid core = eroded(islands.select(largest), glm::dvec3(1), 3);
+    body.thick = static_cast<double>(core.count()) / static_cast<double>(c.voxels);
     return body;
 }
 
@@ -236,17 +238,21 @@ ScanKind kindOf(const Volume& volume, ScanFacts& facts) {
     }
     const double background = facts.histogram.percentile(0.5) - contents.range.low;
     const bool empty = background < 0.06 * (contents.range.high - contents.range.low);
-    if (empty && facts.matterShare < 0.06 && body.thick < 0.08) {
+    const double widest = std::max({body.sizeMm.x, body.sizeMm.y, body.sizeMm.z});
+    constexpr double kTrunkMm = 280; // wider than any head or specimen in a scanner of its size
+    if (isWindowed(facts) && contents.modality != Modality::mr && widest > kTrunkMm) {
+        facts.why = "bright tissue is cut off at the highest value";
+        return ScanKind::ctWindowed;
+    }
+    // Branches fill little of their box and nothing is left of them once three samples are taken off all around.
+    if (empty && facts.matterShare < 0.06 && body.thick < 0.08 && body.filled < 0.06) {
         facts.why = "the volume is nearly empty and what is in it is thin";
         return ScanKind::vessels;
     }
-    if (contents.modality != Modality::mr && axialShare(volume, facts.otsu) > 0.35) {
-        facts.why = "its faces lie along the grid";
+    constexpr double kFlatFaces = 0.22; // seven times a sphere's share
+    if (const double axial = axialShare(volume, facts.otsu); contents.modality != Modality::mr && axial > kFlatFaces) {
+        facts.why = std::to_string(std::lround(100 * axial)) + " % of its faces lie along the grid";
         return ScanKind::machined;
-    }
-    if (isWindowed(facts) && contents.modality != Modality::mr) {
-        facts.why = "bright tissue is cut off at the highest value";
-        return ScanKind::ctWindowed;
     }
     const glm::dvec3 size = body.sizeMm;
     const bool headSized = std::min({size.x, size.y, size.z}) > 85 && std::max({size.x, size.y, size.z}) > 150 &&

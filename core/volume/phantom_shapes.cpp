@@ -116,7 +116,7 @@ float nasalAperture(const Vec& p) {
 }
 
 float zygoma(const Vec& f) {
-    float d = ellipsoid(f, {43, -62, -16}, {13, 11, 11});
+    float d = ellipsoid(f, {42, -60, -16}, {13, 10, 8});
     d = blend(d, capsule(f, {46, -60, -8}, {50, -58, 22}, {5, 6}), 8); // lateral rim of the orbit
     d = blend(d, capsule(f, {48, -56, -15}, {68, -28, -14}, {5, 3.8F}), 6);
     return blend(d, capsule(f, {68, -28, -14}, {68, 4, -12}, {3.8F, 4.5F}), 5);
@@ -172,9 +172,9 @@ float skull(const Vec& p) {
     d = blend(d, ellipsoid(f, {24, -66, 24}, {26, 13, 8}), 8); // brow ridges
     d = blend(d, maxilla(p), 8);
     d = blend(d, zygoma(f), 6);
-    d = blend(d, ellipsoid(f, {56, 24, -27}, {12, 15, 19}), 10);     // mastoids
+    d = blend(d, ellipsoid(f, {54, 24, -24}, {10, 14, 18}), 12);     // mastoids
     d = blend(d, capsule(p, {0, -82, 17}, {0, -93, -3}, {6, 4}), 6); // nasal bones
-    d = carve(d, ellipsoid(f, {62, -34, 4}, {10, 22, 22}), 12);      // temporal fossae
+    d = carve(d, ellipsoid(f, {68, -34, 4}, {10, 26, 24}), 14);      // temporal fossae
     d = carve(d, orbit(p), 3);
     return carve(d, nasalAperture(p), 2);
 }
@@ -293,9 +293,9 @@ void paintAirways(Canvas& canvas) {
         const float turbinates = 2.2F * std::sin(0.55F * p.z + 0.4F * std::abs(p.x)); // folds of the side wall
         return std::max(nasalAperture(p) + 4.5F + turbinates, -wall);
     });
-    canvas.addEllipsoid(kAir, {25, -52, -20}, {10, 15, 12});   // maxillary sinuses
-    canvas.addEllipsoid(kAir, {13, -75.5F, 34}, {9, 3.2F, 6}); // frontal sinuses
-    canvas.addEllipsoid(kAir, {0, -22, -4}, {10, 10, 8});      // sphenoid sinus
+    canvas.addEllipsoid(kAir, {25, -52, -20}, {10, 15, 12}); // maxillary sinuses
+    canvas.addEllipsoid(kAir, {12, -71, 28}, {8, 3.0F, 5});  // frontal sinuses
+    canvas.addEllipsoid(kAir, {0, -22, -4}, {10, 10, 8});    // sphenoid sinus
     canvas.addTube(kAir, {{5.8F, -101, -38}, {5.5F, -92, -30}, {4, -82, -26}}, {3.0F, 4.0F});
     canvas.addTube(kAir, {{0, -12, -20}, {0, -2, -52}, {0, 4, -90}, {0, 2, -150}}, {8, 8.5F});
     canvas.addTube(kAir, {{84, 10, -4}, {58, 9, -2}}, {3.4F, 2.6F});
