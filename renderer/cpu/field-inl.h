@@ -12,6 +12,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace limner::HWY_NAMESPACE {
 
+/// Weights (1-f, f) of a linear interpolation as a pair of 15-bit integers in one word.
+HWY_INLINE Ints pairWeights(Floats f) {
+    const Ints high = truncate(hn::MulAdd(f, splat(32767.0F), splat(0.5F)));
+    return hn::Add(hn::Sub(hn::ShiftLeft<16>(high), high), splatInt(32767));
+}
+
 /// A cell and the place inside it, one per lane.
 template <typename Offset>
 struct CellPlace {
@@ -68,11 +74,6 @@ struct Field {
         return place;
     }
 
-    /// Weights (1-f, f) of an x-interpolation as a pair of 15-bit integers in one word.
-    static HWY_INLINE Ints weights(Floats f) {
-        const Ints high = truncate(hn::MulAdd(f, splat(32767.0F), splat(0.5F)));
-        return hn::Add(hn::Sub(hn::ShiftLeft<16>(high), high), splatInt(32767));
-    }
     /// a*(1-f) + b*f of a pair of 16-bit voxels in one instruction, times 32767.
     static HWY_INLINE Ints blend(Ints pair, Ints weight) {
         const hn::Repartition<std::int16_t, IntTag> shorts;
@@ -105,7 +106,7 @@ struct Field {
     }
 
     HWY_INLINE Floats value(const Place& place) const {
-        const Ints weight = weights(place.fx);
+        const Ints weight = pairWeights(place.fx);
         const Floats low = lerp(row(place, 0, weight), row(place, kRowBytes, weight), place.fy);
         const Floats high =
             lerp(row(place, kSliceBytes, weight), row(place, kSliceBytes + kRowBytes, weight), place.fy);
@@ -140,7 +141,7 @@ struct Field {
 
     /// f(q + 1) - f(q - 1) along each axis, exactly for the trilinear field: 12 rows instead of 6 * 8 corners.
     HWY_INLINE Vec3 gradient(const Place& place) const {
-        const Ints weight = weights(place.fx);
+        const Ints weight = pairWeights(place.fx);
         constexpr int sy = kRowBytes;
         constexpr int sz = kSliceBytes;
         const RowSlope r00 = rowSlope(place, 0, weight);

@@ -18,9 +18,8 @@ struct KernelLayer {
     bool directionalOpacity = false;
     const float* stepOpacity = nullptr; ///< entries + 1, read by linear interpolation
     const float* opacity = nullptr;     ///< of the reference length; directional opacity only
-    const float* red = nullptr;         ///< colour tables; Phong and flat
-    const float* green = nullptr;
-    const float* blue = nullptr;
+    /// Phong and flat: for every entry its colour and the next one's, interleaved r r' g g' b b' a a', 15 bits each.
+    const std::int16_t* colours = nullptr;
     const float* index = nullptr;             ///< fractional node index; style only
     const std::int32_t* slotOfNode = nullptr; ///< node -> atlas slot
     std::int32_t lastNode = 0;
@@ -30,9 +29,8 @@ struct KernelLayer {
 };
 
 struct KernelAtlas {
-    const std::uint32_t* rgb = nullptr;
-    const std::uint16_t* alpha = nullptr;
-    const float* mean = nullptr; ///< four floats per slot
+    const std::int16_t* texels = nullptr; ///< as StyleAtlas
+    const float* mean = nullptr;          ///< four floats per slot
     std::int32_t size = 0;
 };
 
@@ -46,7 +44,7 @@ struct KernelScene {
 
     const std::uint8_t* bricks = nullptr;
     VoxelType type = VoxelType::uint8;
-    bool wide = false;           ///< the store is over 2 GiB: 64-bit offsets
+    bool wide = false;           ///< the store is over 4 GiB: 64-bit offsets
     std::int32_t brickStep[3]{}; ///< from one brick to the next along x, y, z, in bricks
     float lastCell[3]{};         ///< largest position that still has a cell
     double boxLow[3]{};          ///< the rays' box
@@ -57,6 +55,8 @@ struct KernelScene {
     float tableScale = 1; ///< from interpolated stored numbers (as the kernel has them) to table entries
     float tableBias = 0;
     const float* visibility = nullptr; ///< greatest stepOpacity of all layers
+    float visibleFrom = 0;             ///< entries up to here and from `visibleTo` on show nothing
+    float visibleTo = 0;
     const KernelLayer* layers = nullptr;
     int layerCount = 0;
     KernelAtlas atlas;

@@ -50,7 +50,9 @@ class March {
     }
     /// Shades what still waits; after the last packet of a block.
     HWY_INLINE void finish() { queue_.finish(); }
-    [[nodiscard]] const KernelCounts& counts() const { return counts_; }
+    [[nodiscard]] HWY_INLINE KernelCounts counts() const {
+        return {static_cast<std::uint64_t>(hn::GetLane(hn::SumOfLanes(kI, samples_))), counts_.shaded};
+    }
 
   private:
     HWY_INLINE Vec3 position(Floats s) const {
@@ -117,17 +119,15 @@ class March {
             }
             const Vec3 q = position(hn::MulAdd(part.length, splat(scene_.phase), part.begin));
             const Place place = field_.locate(q, alive_);
-            const Floats entry = hn::MulAdd(field_.value(place), splat(scene_.tableScale), splat(scene_.tableBias));
-            const TablePlace at(entry);
-            const Floats visible = hn::IfThenElseZero(alive_, at.read(scene_.visibility));
-            counts_.samples += hn::CountTrue(kF, alive_);
-            const Mask shows = hn::Gt(visible, splat(0));
-            if (!hn::AllFalse(kF, shows)) {
-                counts_.shaded += hn::CountTrue(kF, shows);
-                contribute({place, entry, at, visible, part.length}, shows, edge);
-                alive_ = hn::And(alive_, hn::Lt(alpha_, splat(scene_.opaque)));
-            }
+            const Floats found = hn::MulAdd(field_.value(place), splat(scene_.tableScale), splat(scene_.tableBias));
+            const Floats entry = hn::IfThenElseZero(alive_, found); // the others may hold anything
+            samples_ = hn::Sub(samples_, hn::BitCast(kI, hn::VecFromMask(kF, alive_)));
             k_ = hn::Add(k_, splat(1));
+            const Mask inRange =
+                hn::And(hn::Gt(entry, splat(scene_.visibleFrom)), hn::Lt(entry, splat(scene_.visibleTo)));
+            if (!hn::AllFalse(kF, hn::And(inRange, alive_))) {
+                look({place, entry, part.length}, edge);
+            }
             alive_ = hn::And(alive_, hn::Lt(k_, end_));
             if (hn::AllFalse(kF, alive_)) {
                 return;
@@ -137,49 +137,51 @@ class March {
 
     struct Sample {
         const Place& place;
-        Floats entry;
-        const TablePlace& at;
-        Floats visible; ///< opacity of a whole step (one layer), or whether there is any (several)
-        Floats part;    ///< share of a step that the sample stands for
+        Floats entry; ///< of the transfer tables
+        Floats part;  ///< share of a step that the sample stands for
     };
 
-    HWY_INLINE void contribute(const Sample& sample, Mask shows, bool edge) {
-        if (!oneOpacity_) {
-            for (int i = 0; i < scene_.layerCount; ++i) {
-                composeLayer(scene_.layers[i], sample, edge);
-            }
+    /// Looks a sample up, and hands it on where it can be seen.
+    HWY_INLINE void look(const Sample& sample, bool edge) {
+        const TablePlace at(sample.entry);
+        const Floats visible = hn::IfThenElseZero(alive_, at.read(scene_.visibility));
+        const Mask shows = hn::Gt(visible, splat(0));
+        if (hn::AllFalse(kF, shows)) {
             return;
         }
-        Floats opacity = sample.visible;
-        if (edge) {
+        counts_.shaded += hn::CountTrue(kF, shows);
+        if (oneOpacity_) {
+            const Floats opacity = edge ? opacityOfPart(visible, sample.part) : visible;
+            const Floats weight = hn::NegMulAdd(opacity, alpha_, opacity);
+            alpha_ = hn::Add(alpha_, weight);
+            queue_.push({sample.place, sample.entry, weight, pixel_, ray_->view}, shows);
+        } else {
+            for (int i = 0; i < scene_.layerCount; ++i) {
+                composeLayer(scene_.layers[i], sample, at, edge);
+            }
+        }
+        alive_ = hn::And(alive_, hn::Lt(alpha_, splat(scene_.opaque)));
+    }
+
+    HWY_NOINLINE void composeLayer(const KernelLayer& layer, const Sample& sample, const TablePlace& at, bool edge) {
+        Floats opacity = hn::IfThenElseZero(alive_, at.read(layer.stepOpacity));
+        if (hn::AllFalse(kF, hn::Gt(opacity, splat(0)))) {
+            return;
+        }
+        LaneColours colours;
+        sampleColours(field_, layer, sample.place, sample.entry, ray_->view, colours);
+        Floats r, g, b, directional;
+        hn::LoadInterleaved4(kF, colours.rgba, r, g, b, directional);
+        if (layer.directionalOpacity) {
+            const Floats whole = hn::Mul(at.read(layer.opacity), directional);
+            opacity = hn::IfThenElseZero(alive_, opacityOfStep(scene_, whole, sample.part));
+        } else if (edge) {
             opacity = opacityOfPart(opacity, sample.part);
         }
         const Floats weight = hn::NegMulAdd(opacity, alpha_, opacity);
-        alpha_ = hn::Add(alpha_, weight);
-        queue_.push({sample.place, sample.entry, weight, pixel_, ray_->view}, shows);
-    }
-
-    HWY_NOINLINE void composeLayer(const KernelLayer& layer, const Sample& sample, bool edge) {
-        const Floats whole = hn::IfThenElseZero(alive_, sample.at.read(layer.stepOpacity));
-        if (hn::AllFalse(kF, hn::Gt(whole, splat(0)))) {
-            return;
-        }
-        if (layer.directionalOpacity) {
-            const Normal normal = normalAt(field_, sample.place, ray_->view);
-            const StyleSample style = styleSample(scene_, layer, sample.at, normal, ray_->view);
-            const Floats opacity = hn::Mul(sample.at.read(layer.opacity), style.alpha);
-            add(style.colour, hn::IfThenElseZero(alive_, opacityOfStep(scene_, opacity, sample.part)));
-            return;
-        }
-        add(sampleColour(field_, layer, sample.place, sample.at, ray_->view),
-            edge ? opacityOfPart(whole, sample.part) : whole);
-    }
-
-    HWY_INLINE void add(const Colour& c, Floats opacity) {
-        const Floats weight = hn::NegMulAdd(opacity, alpha_, opacity);
-        red_ = hn::MulAdd(weight, c.r, red_);
-        green_ = hn::MulAdd(weight, c.g, green_);
-        blue_ = hn::MulAdd(weight, c.b, blue_);
+        red_ = hn::MulAdd(weight, r, red_);
+        green_ = hn::MulAdd(weight, g, green_);
+        blue_ = hn::MulAdd(weight, b, blue_);
         alpha_ = hn::Add(alpha_, weight);
     }
 
@@ -190,6 +192,7 @@ class March {
     bool oneOpacity_; ///< a sample's opacity is known before its colour: no directional opacity, one layer
     const RayPacket* ray_ = nullptr;
     Ints pixel_{};
+    Ints samples_ = hn::Zero(kI);
     Floats k_{}, end_{}, red_{}, green_{}, blue_{}, alpha_{};
     Mask alive_{};
 };
@@ -213,6 +216,8 @@ void castRays(const KernelScene& scene, const KernelBlock& block, float* rgba, K
     alignas(64) float dy[kMaxLanes];
     alignas(64) std::int32_t pixel[kMaxLanes];
     alignas(64) float channel[4][kMaxLanes];
+    // The queue adds colours late; opacities wait beside them.
+    alignas(64) float alpha[KernelBlock::kSize * KernelBlock::kSize] = {};
     const int lanes = shape.width * shape.height;
     for (int y = 0; y < block.height; y += shape.height) {
         for (int x = 0; x < block.width; x += shape.width) {
@@ -229,15 +234,18 @@ void castRays(const KernelScene& scene, const KernelBlock& block, float* rgba, K
             }
             march.run(packet, hn::Load(kI, pixel));
             march.result(channel[0], channel[1], channel[2], channel[3]);
-            const int firstChannel = march.hasColours() ? 0 : 3;
             for (int lane = 0; lane < lanes; ++lane) {
-                for (int c = firstChannel; c < 4; ++c) {
+                alpha[pixel[lane]] = channel[3][lane];
+                for (int c = 0; c < 3 && march.hasColours(); ++c) {
                     rgba[4 * pixel[lane] + c] = channel[c][lane];
                 }
             }
         }
     }
     march.finish();
+    for (int i = 0; i < KernelBlock::kSize * KernelBlock::kSize; ++i) {
+        rgba[4 * i + 3] = alpha[i];
+    }
     counts = march.counts();
 }
 
@@ -246,7 +254,7 @@ void castWidth(const KernelScene& scene, const KernelBlock& block, float* rgba, 
     if (scene.wide) {
         castRays<Voxel, std::int64_t>(scene, block, rgba, counts);
     } else {
-        castRays<Voxel, std::int32_t>(scene, block, rgba, counts);
+        castRays<Voxel, std::uint32_t>(scene, block, rgba, counts);
     }
 }
 

@@ -94,7 +94,8 @@ class ShadeQueue {
             keep(sample.view.z, viewZ_);
         }
         if constexpr (sizeof(Offset) == 4) {
-            hn::StoreU(packer.pack(hn::Load(kI, sample.place.offsets.at)), kI, offset_ + count_);
+            const Ints offsets = hn::BitCast(kI, hn::Load(kU, sample.place.offsets.at));
+            hn::StoreU(hn::BitCast(kU, packer.pack(offsets)), kU, offset_ + count_);
         } else {
             alignas(64) std::uint8_t bits[8] = {};
             hn::StoreMaskBits(kF, mask, bits);
@@ -135,20 +136,13 @@ class ShadeQueue {
         if (scene_.perspective) {
             view = {hn::Load(kF, viewX_), hn::Load(kF, viewY_), hn::Load(kF, viewZ_)};
         }
-        const TablePlace at(hn::Load(kF, tableEntry_));
-        const Colour c = sampleColour(field_, scene_.layers[0], place, at, view);
-        const Floats weight = hn::Load(kF, weight_);
-        alignas(64) float r[kMaxLanes];
-        alignas(64) float g[kMaxLanes];
-        alignas(64) float b[kMaxLanes];
-        hn::Store(hn::Mul(weight, c.r), kF, r);
-        hn::Store(hn::Mul(weight, c.g), kF, g);
-        hn::Store(hn::Mul(weight, c.b), kF, b);
+        LaneColours colours;
+        sampleColours(field_, scene_.layers[0], place, hn::Load(kF, tableEntry_), view, colours);
         for (int lane = 0; lane < count; ++lane) {
             float* pixel = rgba_ + 4 * pixel_[lane];
-            pixel[0] += r[lane];
-            pixel[1] += g[lane];
-            pixel[2] += b[lane];
+            const Quad weight = hn::Set(kQuad, weight_[lane]);
+            hn::Store(hn::MulAdd(weight, hn::Load(kQuad, colours.rgba + 4 * lane), hn::Load(kQuad, pixel)), kQuad,
+                      pixel);
         }
     }
 

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -18,6 +19,10 @@ constexpr glm::dvec3 kCellFromVoxel{1}; // cell coordinate = voxel coordinate + 
 
 /// Unit of the kernel's interpolated values (Field::kScale).
 double kernelScale(VoxelType type) { return type == VoxelType::float32 ? 1.0 : 32767.0; }
+
+std::int16_t fifteenBits(double unit) {
+    return static_cast<std::int16_t>(std::lround(std::clamp(unit, 0.0, 1.0) * 32767));
+}
 
 void copy(const glm::dvec3& from, double (&to)[3]) {
     for (int i = 0; i < 3; ++i) {
@@ -45,7 +50,7 @@ void BuiltScene::setVolume(const RenderPlan& plan) {
     const Volume& volume = *plan.volume;
     scene_.bricks = reinterpret_cast<const std::uint8_t*>(volume.bricks());
     scene_.type = volume.type();
-    scene_.wide = volume.bytes() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max());
+    scene_.wide = volume.bytes() > static_cast<std::size_t>(std::numeric_limits<std::uint32_t>::max());
     scene_.brickStep[0] = 1;
     scene_.brickStep[1] = volume.layout().bricks.x;
     scene_.brickStep[2] = volume.layout().bricks.x * volume.layout().bricks.y;
@@ -111,26 +116,33 @@ void BuiltScene::setClip(const RenderPlan& plan) {
     }
 }
 
-void BuiltScene::addColours(const PlanLayer& layer, KernelLayer& out) {
-    std::vector<float> red, green, blue;
-    for (const float index : layer.table.index) {
-        const auto node = static_cast<std::size_t>(std::max(index, 0.0F));
-        const double weight = index - static_cast<double>(node);
-        glm::dvec3 rgb(0.5); // no nodes at all: mid grey
-        if (!layer.styles.nodeToStyle.empty()) {
-            const std::size_t next = std::min(node + 1, layer.styles.nodeToStyle.size() - 1);
-            const auto colour = [&](std::size_t n) {
-                return layer.styles.styles[static_cast<std::size_t>(layer.styles.nodeToStyle[n])].rgb;
-            };
-            rgb = colour(node) * (1 - weight) + colour(next) * weight;
-        }
-        red.push_back(static_cast<float>(rgb.r));
-        green.push_back(static_cast<float>(rgb.g));
-        blue.push_back(static_cast<float>(rgb.b));
+glm::dvec3 BuiltScene::nodeColour(const PlanLayer& layer, double index) {
+    if (layer.styles.nodeToStyle.empty()) {
+        return glm::dvec3(0.5); // no nodes at all: mid grey
     }
-    out.red = keep(std::move(red));
-    out.green = keep(std::move(green));
-    out.blue = keep(std::move(blue));
+    const auto node = static_cast<std::size_t>(std::max(index, 0.0));
+    const std::size_t next = std::min(node + 1, layer.styles.nodeToStyle.size() - 1);
+    const auto colour = [&](std::size_t n) {
+        return layer.styles.styles[static_cast<std::size_t>(layer.styles.nodeToStyle[n])].rgb;
+    };
+    return glm::mix(colour(node), colour(next), index - static_cast<double>(node));
+}
+
+void BuiltScene::addColours(const PlanLayer& layer, KernelLayer& out) {
+    const std::vector<float>& index = layer.table.index;
+    std::vector<std::int16_t> pairs;
+    pairs.reserve((index.size() + 1) * 8);
+    for (std::size_t entry = 0; entry <= index.size(); ++entry) { // one more: interpolation at the last entry reads it
+        const glm::dvec3 here = nodeColour(layer, index[std::min(entry, index.size() - 1)]);
+        const glm::dvec3 next = nodeColour(layer, index[std::min(entry + 1, index.size() - 1)]);
+        for (int channel = 0; channel < 3; ++channel) {
+            pairs.push_back(fifteenBits(here[channel]));
+            pairs.push_back(fifteenBits(next[channel]));
+        }
+        pairs.insert(pairs.end(), 2, fifteenBits(1));
+    }
+    colours_.push_back(std::move(pairs));
+    out.colours = colours_.back().data();
 }
 
 void BuiltScene::addLayer(const RenderPlan& plan, const PlanLayer& layer) {
@@ -147,7 +159,7 @@ void BuiltScene::addLayer(const RenderPlan& plan, const PlanLayer& layer) {
         out.singleSlot = single ? slots.front() : -1;
         out.lastNode = static_cast<std::int32_t>(slots.size()) - 1;
         out.index = keep(layer.table.index);
-        out.directionalOpacity = !plan.atlas->alpha.empty() &&
+        out.directionalOpacity = plan.atlas->directionalOpacity &&
                                  std::any_of(layer.styles.styles.begin(), layer.styles.styles.end(), [](const auto& s) {
                                      return s.sphere && s.sphere->hasDirectionalOpacity();
                                  });
@@ -169,7 +181,7 @@ void BuiltScene::setTables(const RenderPlan& plan) {
         for (const Rgba& mean : plan.atlas->mean) {
             means_.insert(means_.end(), {mean.r, mean.g, mean.b, mean.a});
         }
-        scene_.atlas = {plan.atlas->rgb.data(), plan.atlas->alpha.data(), means_.data(), plan.atlas->size};
+        scene_.atlas = {plan.atlas->texels.data(), means_.data(), plan.atlas->size};
     }
     std::vector<float> visibility(2, 0.0F);
     double low = 0;
@@ -191,6 +203,12 @@ void BuiltScene::setTables(const RenderPlan& plan) {
     const double perValue = high > low ? entries / (high - low) : 0;
     scene_.tableScale = static_cast<float>(contents.slope * perValue / kernelScale(contents.type));
     scene_.tableBias = static_cast<float>((contents.intercept - low) * perValue);
+    const auto shows = [](float opacity) { return opacity > 0; };
+    const auto firstVisible = std::find_if(visibility.begin(), visibility.end(), shows);
+    const auto lastVisible = std::find_if(visibility.rbegin(), visibility.rend(), shows);
+    // Interpolation reaches one entry beyond a visible one.
+    scene_.visibleFrom = static_cast<float>(firstVisible - visibility.begin() - 1);
+    scene_.visibleTo = static_cast<float>(visibility.rend() - lastVisible);
     scene_.visibility = keep(std::move(visibility));
     scene_.layers = layers_.data();
     scene_.layerCount = static_cast<int>(layers_.size());

@@ -24,6 +24,7 @@ class BuiltScene {
     void setClip(const RenderPlan& plan);
     void setTables(const RenderPlan& plan);
     void addLayer(const RenderPlan& plan, const PlanLayer& layer);
+    static glm::dvec3 nodeColour(const PlanLayer& layer, double index);
     void addColours(const PlanLayer& layer, KernelLayer& out);
     const float* keep(std::vector<float> table);
 
@@ -31,6 +32,7 @@ class BuiltScene {
     std::vector<KernelLayer> layers_;
     std::deque<std::vector<float>> tables_; // a deque: addresses stay
     std::deque<std::vector<std::int32_t>> slots_;
+    std::deque<std::vector<std::int16_t>> colours_;
     std::vector<float> means_;
 };
 

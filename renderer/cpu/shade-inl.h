@@ -13,10 +13,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace limner::HWY_NAMESPACE {
 
-struct Colour {
-    Floats r, g, b;
-};
-
 /// The unit normal in eye space, out of dense matter, and how far it can be trusted.
 struct Normal {
     Vec3 eye;
@@ -25,7 +21,7 @@ struct Normal {
 };
 
 template <typename Field>
-HWY_NOINLINE Normal normalAt(const Field& field, const typename Field::Place& place, const Vec3& view) {
+HWY_INLINE Normal normalAt(const Field& field, const typename Field::Place& place, const Vec3& view) {
     const auto& m = field.scene.eyeFromGradient;
     const Vec3 g = field.gradient(place);
     const auto component = [&](const float* row) HWY_ATTR {
@@ -60,24 +56,88 @@ HWY_NOINLINE inline Floats power(Floats x, float n) {
     return result;
 }
 
-HWY_INLINE Colour tableColour(const KernelLayer& layer, const TablePlace& at) {
-    return {at.read(layer.red), at.read(layer.green), at.read(layer.blue)};
+/// Colours of the lanes of a sample, RGBA one after the other: alpha is the directional opacity. From here on a lane is
+/// a vector of its own, because its table entry or texels lie side by side in memory and its pixel does too.
+struct LaneColours {
+    alignas(64) float rgba[kMaxLanes * 4];
+};
+
+using Quad = hn::Vec<hn::Simd<float, 4, 0>>;
+constexpr hn::Simd<float, 4, 0> kQuad;
+constexpr hn::Simd<std::int32_t, 4, 0> kQuadInts;
+constexpr hn::Simd<std::int16_t, 8, 0> kQuadPairs;
+
+/// Four channels interpolated between two neighbours that lie interleaved (r0 r1 g0 g1 b0 b1 a0 a1, 15 bits each);
+/// `weight`: (1-f, f) as pairWeights makes it. Times 32767^2.
+HWY_INLINE Quad blendPairs(hn::Vec<decltype(kQuadPairs)> pairs, std::int32_t weight) {
+    hn::Vec<decltype(kQuadInts)> rest = hn::Zero(kQuadInts);
+    const auto weights = hn::BitCast(kQuadPairs, hn::Set(kQuadInts, weight));
+    return hn::ConvertTo(kQuad, hn::ReorderWidenMulAccumulate(kQuadInts, pairs, weights, hn::Zero(kQuadInts), rest));
+}
+
+constexpr float kUnit = 1.0F / (32767.0F * 32767.0F);
+
+/// One entry of a colour table and the next, interpolated.
+HWY_INLINE Quad entryColour(const std::int16_t* table, std::int32_t entry, std::int32_t weight) {
+    return hn::Mul(blendPairs(hn::LoadU(kQuadPairs, table + std::ptrdiff_t{8} * entry), weight), hn::Set(kQuad, kUnit));
+}
+
+/// Bilinear between four texels; two loads.
+HWY_INLINE Quad texelColour(const KernelAtlas& atlas, std::ptrdiff_t texel, std::int32_t weight, float down) {
+    const auto row = [&](std::ptrdiff_t first) HWY_ATTR {
+        const auto two = hn::LoadU(kQuadPairs, atlas.texels + 4 * first); // r0 g0 b0 a0 r1 g1 b1 a1
+        const auto swapped = hn::BitCast(kQuadPairs, hn::Shuffle1032(hn::BitCast(kQuadInts, two)));
+        return blendPairs(hn::InterleaveLower(kQuadPairs, two, swapped), weight);
+    };
+    const Quad upper = row(texel);
+    const Quad lower = row(texel + atlas.size);
+    return hn::Mul(hn::MulAdd(hn::Sub(lower, upper), hn::Set(kQuad, down), upper), hn::Set(kQuad, kUnit));
+}
+
+struct LaneInts {
+    alignas(64) std::int32_t at[kMaxLanes];
+    HWY_INLINE explicit LaneInts(Ints v) { hn::Store(v, kI, at); }
+};
+struct LaneFloats {
+    alignas(64) float at[kMaxLanes];
+    HWY_INLINE explicit LaneFloats(Floats v) { hn::Store(v, kF, at); }
+};
+
+/// A place in a table: whole entry and the weights towards the next.
+struct EntryLanes {
+    LaneInts entry, weight;
+    HWY_INLINE explicit EntryLanes(Floats tableEntry) : EntryLanes(tableEntry, truncate(tableEntry)) {}
+
+  private:
+    HWY_INLINE EntryLanes(Floats tableEntry, Ints whole)
+        : entry(whole), weight(pairWeights(hn::Max(hn::Sub(tableEntry, toFloat(whole)), splat(0)))) {}
+};
+
+HWY_INLINE void flatColours(const KernelLayer& layer, Floats tableEntry, LaneColours& out) {
+    const EntryLanes at(tableEntry);
+    for (std::size_t lane = 0; lane < hn::Lanes(kF); ++lane) {
+        hn::Store(entryColour(layer.colours, at.entry.at[lane], at.weight.at[lane]), kQuad, out.rgba + 4 * lane);
+    }
 }
 
 /// Head-light Phong as core/optics/phong.h has it: ambient 0.1, diffuse 0.7, and the layer's specular term.
-HWY_INLINE Colour phong(const KernelLayer& layer, Colour c, Floats facing) {
-    const Floats lit = layer.twoSided ? hn::Abs(facing) : hn::Max(facing, splat(0));
-    const Floats clamped = hn::Min(lit, splat(1));
-    const Floats factor = hn::MulAdd(clamped, splat(0.7F), splat(0.1F));
-    const Floats highlight = hn::Mul(splat(layer.specularStrength), power(clamped, layer.specularExponent));
-    const auto one = [&](Floats v) HWY_ATTR { return hn::Min(hn::MulAdd(v, factor, highlight), splat(1)); };
-    return {one(c.r), one(c.g), one(c.b)};
+HWY_INLINE void phongColours(const KernelLayer& layer, Floats tableEntry, Floats facing, LaneColours& out) {
+    const Floats lit = hn::Min(layer.twoSided ? hn::Abs(facing) : hn::Max(facing, splat(0)), splat(1));
+    const LaneFloats factor(hn::MulAdd(lit, splat(0.7F), splat(0.1F)));
+    const LaneFloats highlight(hn::Mul(splat(layer.specularStrength), power(lit, layer.specularExponent)));
+    const EntryLanes at(tableEntry);
+    for (std::size_t lane = 0; lane < hn::Lanes(kF); ++lane) {
+        const Quad c = entryColour(layer.colours, at.entry.at[lane], at.weight.at[lane]);
+        const Quad shaded = hn::MulAdd(c, hn::Set(kQuad, factor.at[lane]), hn::Set(kQuad, highlight.at[lane]));
+        hn::Store(hn::Min(shaded, hn::Set(kQuad, 1.0F)), kQuad, out.rgba + 4 * lane);
+    }
 }
 
-/// Where on the sphere's picture a normal looks: texel coordinates of the upper left of four, and weights.
+/// Where on the sphere's picture a normal looks: the upper left of four texels, and weights.
 struct SpherePlace {
-    Ints texel; ///< row * size + column
-    Floats fx, fy;
+    Ints texel;     ///< row * size + column
+    LaneInts right; ///< pairWeights
+    LaneFloats down;
 };
 
 HWY_INLINE SpherePlace spherePlace(const KernelScene& scene, const KernelLayer& layer, const Normal& normal,
@@ -100,40 +160,11 @@ HWY_INLINE SpherePlace spherePlace(const KernelScene& scene, const KernelLayer& 
     const Floats v = inside(hn::NegMulAdd(y, scale, splat(half - 0.5F)));
     const Ints column = truncate(u);
     const Ints row = truncate(v);
-    return {hn::Add(hn::Mul(row, splatInt(scene.atlas.size)), column), hn::Sub(u, toFloat(column)),
-            hn::Sub(v, toFloat(row))};
+    return {hn::Add(hn::Mul(row, splatInt(scene.atlas.size)), column),
+            LaneInts(pairWeights(hn::Sub(u, toFloat(column)))), LaneFloats(hn::Sub(v, toFloat(row)))};
 }
 
-HWY_INLINE Floats bilinear(Floats a, Floats b, Floats c, Floats d, const SpherePlace& at) {
-    return lerp(lerp(a, b, at.fx), lerp(c, d, at.fx), at.fy);
-}
-
-/// One style's colour: two loads of two neighbouring texels.
-HWY_INLINE Colour sphereColour(const KernelAtlas& atlas, const SpherePlace& at, Ints firstTexel) {
-    Offsets<std::int32_t> offsets;
-    store(hn::ShiftLeft<2>(hn::Add(firstTexel, at.texel)), offsets);
-    const WordPair upper = gatherPairs(atlas.rgb, offsets);
-    const WordPair lower = gatherPairs(atlas.rgb + atlas.size, offsets);
-    const auto red = [](Ints w) HWY_ATTR { return toFloat(hn::And(w, splatInt(2047))); };
-    const auto green = [](Ints w) HWY_ATTR { return toFloat(hn::And(hn::ShiftRight<11>(w), splatInt(2047))); };
-    const auto blue = [](Ints w) HWY_ATTR { return toFloat(hn::BitCast(kI, hn::ShiftRight<22>(hn::BitCast(kU, w)))); };
-    const Floats r = bilinear(red(upper.low), red(upper.high), red(lower.low), red(lower.high), at);
-    const Floats g = bilinear(green(upper.low), green(upper.high), green(lower.low), green(lower.high), at);
-    const Floats b = bilinear(blue(upper.low), blue(upper.high), blue(lower.low), blue(lower.high), at);
-    return {hn::Mul(r, splat(1.0F / 2047)), hn::Mul(g, splat(1.0F / 2047)), hn::Mul(b, splat(1.0F / 1023))};
-}
-
-HWY_INLINE Floats sphereAlpha(const KernelAtlas& atlas, const SpherePlace& at, Ints firstTexel) {
-    Offsets<std::int32_t> offsets;
-    store(hn::ShiftLeft<1>(hn::Add(firstTexel, at.texel)), offsets);
-    const Ints upper = gatherWords(atlas.alpha, offsets);
-    const Ints lower = gatherWords(atlas.alpha + atlas.size, offsets);
-    const auto low = [](Ints w) HWY_ATTR { return toFloat(hn::And(w, splatInt(65535))); };
-    const auto high = [](Ints w) HWY_ATTR { return toFloat(shiftRightLogical16(w)); };
-    return hn::Mul(bilinear(low(upper), high(upper), low(lower), high(lower), at), splat(1.0F / 65535));
-}
-
-/// Where the normal is undefined a sample takes the style's mean, blended over [floor, 2 floor] (numerics 2a).
+/// How far a normal is trusted: 0 at the gradient floor, 1 from twice of it on (numerics 2a).
 HWY_INLINE Floats trust(const KernelScene& scene, Floats magnitude) {
     const Floats floor = splat(scene.gradientFloor);
     const Floats t =
@@ -141,60 +172,73 @@ HWY_INLINE Floats trust(const KernelScene& scene, Floats magnitude) {
     return hn::Mul(hn::Mul(t, t), hn::NegMulAdd(splat(2), t, splat(3)));
 }
 
-struct StyleSample {
-    Colour colour;
-    Floats alpha; ///< directional opacity
-};
-
-HWY_INLINE StyleSample mix(const StyleSample& a, const StyleSample& b, Floats t) {
-    return {{lerp(a.colour.r, b.colour.r, t), lerp(a.colour.g, b.colour.g, t), lerp(a.colour.b, b.colour.b, t)},
-            lerp(a.alpha, b.alpha, t)};
-}
-
-HWY_INLINE StyleSample choose(Mask mask, const StyleSample& yes, const StyleSample& no) {
-    return {{hn::IfThenElse(mask, yes.colour.r, no.colour.r), hn::IfThenElse(mask, yes.colour.g, no.colour.g),
-             hn::IfThenElse(mask, yes.colour.b, no.colour.b)},
-            hn::IfThenElse(mask, yes.alpha, no.alpha)};
-}
-
-HWY_NOINLINE inline StyleSample sphereSample(const KernelScene& scene, const KernelLayer& layer, const SpherePlace& at,
-                                             Ints slot, Floats trusted) {
-    const KernelAtlas& atlas = scene.atlas;
-    const Ints first = hn::Mul(slot, splatInt(atlas.size * atlas.size));
-    StyleSample sample;
-    sample.colour = sphereColour(atlas, at, first);
-    sample.alpha = layer.directionalOpacity ? sphereAlpha(atlas, at, first) : splat(1);
-    if (!hn::AllTrue(kF, hn::Ge(trusted, splat(1)))) {
-        const Ints entry = hn::ShiftLeft<2>(slot);
-        const StyleSample mean = {
-            {gatherFloats(atlas.mean, entry), gatherFloats(atlas.mean + 1, entry), gatherFloats(atlas.mean + 2, entry)},
-            gatherFloats(atlas.mean + 3, entry)};
-        const Mask whole = hn::Ge(trusted, splat(1)); // exactly the sample, whoever else is in the vector
-        return choose(whole, sample, mix(mean, sample, trusted));
+/// Colours of one style per lane; where there is no normal, the style's mean.
+HWY_INLINE void sphereColours(const KernelAtlas& atlas, const SpherePlace& place, Ints slot, Floats trusted,
+                              LaneColours& out) {
+    const LaneInts texel(hn::Add(hn::Mul(slot, splatInt(atlas.size * atlas.size)), place.texel));
+    for (std::size_t lane = 0; lane < hn::Lanes(kF); ++lane) {
+        const Quad c = texelColour(atlas, texel.at[lane], place.right.at[lane], place.down.at[lane]);
+        hn::Store(c, kQuad, out.rgba + 4 * lane);
     }
-    return sample;
+    if (hn::AllTrue(kF, hn::Ge(trusted, splat(1)))) {
+        return;
+    }
+    const LaneInts slots(slot);
+    const LaneFloats share(trusted);
+    for (std::size_t lane = 0; lane < hn::Lanes(kF); ++lane) {
+        if (share.at[lane] < 1) {
+            const Quad mean = hn::LoadU(kQuad, atlas.mean + std::ptrdiff_t{4} * slots.at[lane]);
+            const Quad c = hn::Load(kQuad, out.rgba + 4 * lane);
+            hn::Store(hn::MulAdd(hn::Sub(c, mean), hn::Set(kQuad, share.at[lane]), mean), kQuad, out.rgba + 4 * lane);
+        }
+    }
 }
 
-/// `sft(ift(tft(s)))`: the style or the blend of two, at a normal. A whole index costs one lookup.
-HWY_INLINE StyleSample styleSample(const KernelScene& scene, const KernelLayer& layer, const TablePlace& at,
-                                   const Normal& normal, const Vec3& view) {
+/// `sft(ift(tft(s)))`: the style or the blend of two, at a normal. Whole node indices cost one lookup.
+HWY_INLINE void styleColours(const KernelScene& scene, const KernelLayer& layer, Floats tableEntry,
+                             const Normal& normal, const Vec3& view, LaneColours& out) {
+    const KernelAtlas& atlas = scene.atlas;
     const SpherePlace place = spherePlace(scene, layer, normal, view);
     const Floats trusted = trust(scene, normal.magnitude);
     if (layer.singleSlot >= 0) {
-        return sphereSample(scene, layer, place, splatInt(layer.singleSlot), trusted);
+        sphereColours(atlas, place, splatInt(layer.singleSlot), trusted, out);
+        return;
     }
-    const Floats index = at.read(layer.index);
+    const Floats index = TablePlace(tableEntry).read(layer.index);
     const Ints node = truncate(index);
-    const Floats weight = hn::Sub(index, toFloat(node));
     const Ints next = hn::Min(hn::Add(node, splatInt(1)), splatInt(layer.lastNode));
-    const Ints slot0 = gatherAt(layer.slotOfNode, hn::ShiftLeft<2>(node));
-    const Ints slot1 = gatherAt(layer.slotOfNode, hn::ShiftLeft<2>(next));
-    const StyleSample first = sphereSample(scene, layer, place, slot0, trusted);
-    const Mask blended = hn::And(hn::Gt(weight, splat(0)), hn::RebindMask(kF, hn::Ne(slot0, slot1)));
-    if (hn::AllFalse(kF, blended)) {
-        return first;
+    const Ints first = gatherAt(layer.slotOfNode, hn::ShiftLeft<2>(node));
+    const Ints second = gatherAt(layer.slotOfNode, hn::ShiftLeft<2>(next));
+    sphereColours(atlas, place, first, trusted, out);
+    const Floats toSecond =
+        hn::IfThenZeroElse(hn::RebindMask(kF, hn::Eq(first, second)), hn::Sub(index, toFloat(node)));
+    if (hn::AllFalse(kF, hn::Gt(toSecond, splat(0)))) {
+        return;
     }
-    return mix(first, sphereSample(scene, layer, place, slot1, trusted), weight);
+    LaneColours other;
+    sphereColours(atlas, place, second, trusted, other);
+    const LaneFloats weight(toSecond);
+    for (std::size_t lane = 0; lane < hn::Lanes(kF); ++lane) {
+        const Quad c = hn::Load(kQuad, out.rgba + 4 * lane);
+        const Quad towards = hn::Sub(hn::Load(kQuad, other.rgba + 4 * lane), c);
+        hn::Store(hn::MulAdd(towards, hn::Set(kQuad, weight.at[lane]), c), kQuad, out.rgba + 4 * lane);
+    }
+}
+
+/// Colours of a sample in one layer. Each lane's result depends on that lane alone.
+template <typename Field>
+HWY_NOINLINE void sampleColours(const Field& field, const KernelLayer& layer, const typename Field::Place& place,
+                                Floats tableEntry, const Vec3& view, LaneColours& out) {
+    if (layer.shading == Shading::flat) {
+        flatColours(layer, tableEntry, out);
+        return;
+    }
+    const Normal normal = normalAt(field, place, view);
+    if (layer.shading == Shading::phong) {
+        phongColours(layer, tableEntry, normal.facing, out);
+    } else {
+        styleColours(field.scene, layer, tableEntry, normal, view, out);
+    }
 }
 
 /// Opacity of one step from that of the reference length.
@@ -210,20 +254,6 @@ HWY_NOINLINE inline Floats opacityOfPart(Floats opacity, Floats part) {
     const Floats cut = hn::IfThenElse(hn::Ge(opacity, splat(1.0F - 1e-7F)), splat(1), hn::Neg(hn::Expm1(kF, depth)));
     return hn::IfThenElse(hn::Ge(part, splat(1)), opacity,
                           cut); // a whole step bit for bit, whoever else is in the vector
-}
-
-/// Colour of a sample whose opacity does not depend on it.
-template <typename Field>
-HWY_INLINE Colour sampleColour(const Field& field, const KernelLayer& layer, const typename Field::Place& place,
-                               const TablePlace& at, const Vec3& view) {
-    if (layer.shading == Shading::flat) {
-        return tableColour(layer, at);
-    }
-    const Normal normal = normalAt(field, place, view);
-    if (layer.shading == Shading::phong) {
-        return phong(layer, tableColour(layer, at), normal.facing);
-    }
-    return styleSample(field.scene, layer, at, normal, view).colour;
 }
 
 } // namespace limner::HWY_NAMESPACE

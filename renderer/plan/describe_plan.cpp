@@ -11,8 +11,7 @@ std::size_t tableBytes(const PlanLayer& layer) {
 }
 
 std::size_t atlasBytes(const StyleAtlas& atlas) {
-    return atlas.rgb.size() * sizeof(std::uint32_t) + atlas.alpha.size() * sizeof(std::uint16_t) +
-           atlas.mean.size() * sizeof(Rgba);
+    return atlas.texels.size() * sizeof(std::int16_t) + atlas.mean.size() * sizeof(Rgba);
 }
 
 bool anyLayer(const RenderPlan& plan, Shading shading) {
@@ -29,7 +28,7 @@ void describePlan(RenderPlan& plan, const PlanRequest& request) {
     const bool style = anyLayer(plan, Shading::style);
     const bool phong = anyLayer(plan, Shading::phong);
     feature(style, "lit-sphere styles", "a layer is drawn in styles", "no layer is drawn in styles");
-    feature(style && plan.atlas && !plan.atlas->alpha.empty(), "directional opacity",
+    feature(style && plan.atlas && plan.atlas->directionalOpacity, "directional opacity",
             "a style has transparent directions", "every style is opaque in all directions");
     feature(phong, "Phong shading", "a layer asks for it", "no layer asks for it");
     feature(style || phong, "gradients", "shading needs normals", "nothing drawn needs normals");

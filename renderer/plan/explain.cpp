@@ -101,8 +101,8 @@ struct Costs {
         if (!plan.atlas) {
             return cost;
         }
-        cost.bytes = plan.atlas->rgb.size() * sizeof(std::uint32_t) + plan.atlas->alpha.size() * sizeof(std::uint16_t);
-        cost.estimatedMs = parallelMs(kAtlasNsPerTexel * static_cast<double>(plan.atlas->rgb.size()));
+        cost.bytes = plan.atlas->texels.size() * sizeof(std::int16_t);
+        cost.estimatedMs = parallelMs(kAtlasNsPerTexel * static_cast<double>(plan.atlas->texels.size()) / 4);
         std::vector<std::shared_ptr<const LitSphere>> spheres;
         for (const PlanLayer& layer : plan.layers) {
             for (const auto& entry : layer.styles.styles) {

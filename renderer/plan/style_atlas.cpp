@@ -9,13 +9,8 @@
 namespace limner {
 namespace {
 
-std::uint32_t quantise(double value, double most) {
-    return static_cast<std::uint32_t>(std::lround(std::clamp(value, 0.0, 1.0) * most));
-}
-
-std::uint32_t packRgb(const Rgba& colour) {
-    // 11 bits for red and green, 10 for blue, to which the eye is least sensitive.
-    return quantise(colour.r, 2047) | quantise(colour.g, 2047) << 11U | quantise(colour.b, 1023) << 22U;
+std::int16_t fifteenBits(float unit) {
+    return static_cast<std::int16_t>(std::lround(std::clamp(unit, 0.0F, 1.0F) * 32767.0F));
 }
 
 /// The sphere's mip level of `size` texels, or the next finer one where halving does not meet it.
@@ -32,12 +27,11 @@ std::shared_ptr<const StyleAtlas> packStyles(std::span<const std::shared_ptr<con
     auto atlas = std::make_shared<StyleAtlas>();
     atlas->size = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::clamp(texels, 8, 512))));
     atlas->slots = static_cast<int>(spheres.size());
-    const bool clear =
+    atlas->directionalOpacity =
         std::any_of(spheres.begin(), spheres.end(), [](const auto& sphere) { return sphere->hasDirectionalOpacity(); });
     const auto side = static_cast<std::size_t>(atlas->size);
-    const std::size_t padded = spheres.size() * side * side + side + 1;
-    atlas->rgb.reserve(padded);
-    atlas->alpha.reserve(clear ? padded : 0);
+    const std::size_t padded = (spheres.size() * side * side + side + 1) * 4;
+    atlas->texels.reserve(padded);
     for (const auto& sphere : spheres) {
         assert(sphere != nullptr);
         const auto level = mipLevel(sphere, atlas->size);
@@ -46,15 +40,13 @@ std::shared_ptr<const StyleAtlas> packStyles(std::span<const std::shared_ptr<con
             const double u = (2.0 * static_cast<double>(i % side) + 1) / atlas->size - 1;
             const double v = 1 - (2.0 * static_cast<double>(i / side) + 1) / atlas->size;
             const Rgba texel = exact ? level->pixels()[i] : level->at(u, v);
-            atlas->rgb.push_back(packRgb(texel));
-            if (clear) {
-                atlas->alpha.push_back(static_cast<std::uint16_t>(quantise(texel.a, 65535)));
+            for (const float channel : {texel.r, texel.g, texel.b, texel.a}) {
+                atlas->texels.push_back(fifteenBits(channel));
             }
         }
         atlas->mean.push_back(sphere->mean());
     }
-    atlas->rgb.resize(padded, 0);
-    atlas->alpha.resize(clear ? padded : 0, 0);
+    atlas->texels.resize(padded, 0);
     return atlas;
 }
 

@@ -13,12 +13,12 @@ namespace limner {
 struct StyleAtlas {
     int size = 0; ///< texels per side
     int slots = 0;
-    /// RGB as 11, 11 and 10 bits (red lowest), slot after slot, row-major, top row first; one extra row and texel
-    /// readable past the end.
-    std::vector<std::uint32_t> rgb;
-    /// Directional opacity 0..65535, same order; empty where every style is opaque.
-    std::vector<std::uint16_t> alpha;
-    std::vector<Rgba> mean; ///< per slot
+    /// RGBA of every texel, 0..32767 (alpha: the directional opacity), slot after slot, row-major, top row first; one
+    /// extra row and texel readable past the end. 15 bits, so that two neighbours interpolate in one integer
+    /// instruction.
+    std::vector<std::int16_t> texels;
+    bool directionalOpacity = false; ///< whether any style has an alpha below 1
+    std::vector<Rgba> mean;          ///< per slot
 };
 
 /// `texels`: wished size per side; the next power of two within [8, 512] is taken.

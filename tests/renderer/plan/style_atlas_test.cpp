@@ -15,10 +15,12 @@ std::shared_ptr<const LitSphere> makeSphere(int size, const std::vector<Rgba>& c
     return std::make_shared<const LitSphere>(size, std::move(pixels));
 }
 
-Rgba unpack(std::uint32_t texel) {
-    return {static_cast<float>(texel & 2047U) / 2047, static_cast<float>((texel >> 11U) & 2047U) / 2047,
-            static_cast<float>(texel >> 22U) / 1023, 1};
+Rgba texel(const StyleAtlas& atlas, std::size_t i) {
+    const auto unit = [&](std::size_t channel) { return static_cast<float>(atlas.texels[4 * i + channel]) / 32767; };
+    return {unit(0), unit(1), unit(2), unit(3)};
 }
+
+constexpr double kHalfStep = 0.5 / 32767 + 1e-7; // of 15 bits; the rest is float's own rounding
 
 std::size_t texelsOf(const StyleAtlas& atlas) {
     return static_cast<std::size_t>(atlas.size) * static_cast<std::size_t>(atlas.size);
@@ -34,15 +36,15 @@ TEST(StyleAtlas, PackingKeepsEveryToneToItsLastBit) {
     const auto atlas = packStyles(std::vector{sphere}, 512);
     ASSERT_EQ(atlas->size, 512);
     ASSERT_EQ(atlas->slots, 1);
-    EXPECT_TRUE(atlas->alpha.empty());
-    EXPECT_EQ(atlas->rgb.size(), texelsOf(*atlas) + 512 + 1);
+    EXPECT_FALSE(atlas->directionalOpacity);
+    EXPECT_EQ(atlas->texels.size(), 4 * (texelsOf(*atlas) + 512 + 1));
     for (std::size_t i = 0; i < texelsOf(*atlas); ++i) {
         const Rgba wanted = sphere->pixels()[i];
-        const Rgba got = unpack(atlas->rgb[i]);
-        // Half a step of 11 bits, and of 10 for blue; the rest is float's own rounding.
-        ASSERT_NEAR(got.r, wanted.r, 0.5 / 2047 + 1e-7) << i;
-        ASSERT_NEAR(got.g, wanted.g, 0.5 / 2047 + 1e-7) << i;
-        ASSERT_NEAR(got.b, wanted.b, 0.5 / 1023 + 1e-7) << i;
+        const Rgba got = texel(*atlas, i);
+        ASSERT_NEAR(got.r, wanted.r, kHalfStep) << i;
+        ASSERT_NEAR(got.g, wanted.g, kHalfStep) << i;
+        ASSERT_NEAR(got.b, wanted.b, kHalfStep) << i;
+        ASSERT_EQ(got.a, 1) << i;
     }
 }
 
@@ -52,20 +54,20 @@ TEST(StyleAtlas, BlackAndWhiteAreExact) {
     const auto atlas = packStyles(std::vector{black, white}, 16);
     ASSERT_EQ(atlas->slots, 2);
     for (std::size_t i = 0; i < texelsOf(*atlas); ++i) {
-        ASSERT_EQ(atlas->rgb[i], 0U);
-        ASSERT_EQ(atlas->rgb[texelsOf(*atlas) + i], 0xffffffffU);
+        ASSERT_EQ(texel(*atlas, i), (Rgba{0, 0, 0, 1}));
+        ASSERT_EQ(texel(*atlas, texelsOf(*atlas) + i), (Rgba{1, 1, 1, 1}));
     }
     EXPECT_EQ(atlas->mean[0], black->mean());
     EXPECT_EQ(atlas->mean[1], white->mean());
 }
 
-TEST(StyleAtlas, AlphaIsThereForAllAsSoonAsOneStyleIsClear) {
+TEST(StyleAtlas, OneClearStyleIsSaid) {
     const auto solid = makeSphere(32, {{0.5F, 0.5F, 0.5F, 1}});
     const auto clear = makeSphere(32, {{0.5F, 0.5F, 0.5F, 0.25F}});
     const auto atlas = packStyles(std::vector{solid, clear}, 32);
-    ASSERT_EQ(atlas->alpha.size(), atlas->rgb.size());
-    EXPECT_EQ(atlas->alpha[17], 65535);
-    EXPECT_EQ(atlas->alpha[texelsOf(*atlas) + 17], 16384); // round(0.25 * 65535)
+    EXPECT_TRUE(atlas->directionalOpacity);
+    EXPECT_EQ(texel(*atlas, 17).a, 1);
+    EXPECT_NEAR(texel(*atlas, texelsOf(*atlas) + 17).a, 0.25, kHalfStep);
 }
 
 TEST(StyleAtlas, SizeIsTheNextPowerOfTwoWithinLimits) {
@@ -76,7 +78,7 @@ TEST(StyleAtlas, SizeIsTheNextPowerOfTwoWithinLimits) {
         EXPECT_EQ(atlas->size, size) << wished;
         // A constant is the same at any size, up or down.
         for (std::size_t i = 0; i < texelsOf(*atlas); ++i) {
-            ASSERT_EQ(atlas->rgb[i], atlas->rgb[0]) << wished;
+            ASSERT_EQ(texel(*atlas, i), texel(*atlas, 0)) << wished;
         }
     }
     EXPECT_EQ(packStyles({}, 64)->slots, 0);
@@ -92,9 +94,9 @@ TEST(StyleAtlas, CoarserLevelsAreHalvedInsideTheDisk) {
     const auto level = sphere->half()->half();
     ASSERT_EQ(atlas->size, 16);
     for (std::size_t i = 0; i < texelsOf(*atlas); ++i) {
-        ASSERT_NEAR(unpack(atlas->rgb[i]).r, level->pixels()[i].r, 0.5 / 2047 + 1e-7);
+        ASSERT_NEAR(texel(*atlas, i).r, level->pixels()[i].r, kHalfStep);
     }
-    EXPECT_NEAR(unpack(atlas->rgb[8 * 16 + 8]).r, 0.5, 0.5 / 2047 + 1e-7);
+    EXPECT_NEAR(texel(*atlas, 8 * 16 + 8).r, 0.5, kHalfStep);
 }
 
 } // namespace
