@@ -77,13 +77,19 @@ struct PhongTerms {
     T exponent; ///< e
 };
 
-/// Light at the eye, both sides alike: c (k_a + k_d |n.r|) + k_s |n.r|^e, at most 1. Without a normal (definedness 0)
-/// the mean of the same sphere over its disk: <|n.r|> = 2/3, <|n.r|^e> = 2 / (e + 2).
+/// How squarely a surface faces the viewer, from n_z in the frame of the ray: |n_z| where both sides are lit alike,
+/// else 0 on back faces.
 template <typename T>
-Colour<T> phong(const Colour<T>& colour, const T& cosine, const T& definedness, const PhongTerms<T>& terms) {
-    const T c = min(T(1), abs(cosine));
-    const T matte = T(kAmbient) + T(kDiffuse) * mixed(T(2.0 / 3.0), c, definedness);
-    const T gloss = terms.strength * mixed(T(2) / (terms.exponent + T(2)), pow(c, terms.exponent), definedness);
+T facing(const T& normalZ, bool twoSided) {
+    return min(T(1), twoSided ? abs(normalZ) : max(T(0), normalZ));
+}
+
+/// Light at the eye: c (k_a + k_d f) + k_s f^e, at most 1, with f = facing(). Where there is no normal f is 0: the
+/// ambient part alone.
+template <typename T>
+Colour<T> phong(const Colour<T>& colour, const T& facingViewer, const PhongTerms<T>& terms) {
+    const T matte = T(kAmbient) + T(kDiffuse) * facingViewer;
+    const T gloss = terms.strength * pow(facingViewer, terms.exponent);
     return {min(T(1), colour.r * matte + gloss), min(T(1), colour.g * matte + gloss),
             min(T(1), colour.b * matte + gloss)};
 }

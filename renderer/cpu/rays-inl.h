@@ -15,6 +15,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace limner::HWY_NAMESPACE {
 
+/// Steps along an axis below this are rounding noise of a ray parallel to its faces (numerics 2f).
+constexpr float kParallel = 1e-20F;
+
 /// One ray per lane. Position of parameter s (in steps, lattice sample k stands for [k, k+1)): start + s * step.
 struct RayPacket {
     Vec3 start;
@@ -60,8 +63,7 @@ class RayBlock {
             orthographic(dx, dy, ray);
         }
         const auto inverse = [](Floats d) HWY_ATTR {
-            const Floats tiny =
-                splat(1e-20F); // parallel to a face: the slab test becomes an inside test, without 0 * inf
+            const Floats tiny = splat(kParallel); // keeps infinities out; enterBox() has an inside test for such rays
             return hn::Div(splat(1), hn::IfThenElse(hn::Lt(hn::Abs(d), tiny), tiny, d));
         };
         ray.inverse = {inverse(ray.step.x), inverse(ray.step.y), inverse(ray.step.z)};
@@ -113,15 +115,21 @@ class RayBlock {
 
     /// Finds the stretch inside the box and moves the packet's start to its entry, where the lattice begins.
     HWY_INLINE void enterBox(RayPacket& ray) const {
-        const auto slab = [&](Floats start, Floats inverse, int axis) HWY_ATTR {
-            const Floats a = hn::Mul(hn::Sub(splat(static_cast<float>(scene_.boxLow[axis])), start), inverse);
-            const Floats b = hn::Mul(hn::Sub(splat(static_cast<float>(scene_.boxHigh[axis])), start), inverse);
-            ray.first = hn::Max(ray.first, hn::Min(a, b));
-            ray.end = hn::Min(ray.end, hn::Max(a, b));
+        const auto slab = [&](Floats start, Floats step, Floats inverse, int axis) HWY_ATTR {
+            const Floats low = splat(static_cast<float>(scene_.boxLow[axis]));
+            const Floats high = splat(static_cast<float>(scene_.boxHigh[axis]));
+            const Floats a = hn::Mul(hn::Sub(low, start), inverse);
+            const Floats b = hn::Mul(hn::Sub(high, start), inverse);
+            // A ray along a face is inside or outside as a whole; a division would cut it in two where it starts.
+            const Mask along = hn::Lt(hn::Abs(step), splat(kParallel));
+            const Mask inside = hn::And(hn::Ge(start, low), hn::Le(start, high));
+            const Floats without = hn::IfThenElse(inside, splat(1e30F), splat(-1e30F));
+            ray.first = hn::Max(ray.first, hn::IfThenElse(along, hn::Neg(without), hn::Min(a, b)));
+            ray.end = hn::Min(ray.end, hn::IfThenElse(along, without, hn::Max(a, b)));
         };
-        slab(ray.start.x, ray.inverse.x, 0);
-        slab(ray.start.y, ray.inverse.y, 1);
-        slab(ray.start.z, ray.inverse.z, 2);
+        slab(ray.start.x, ray.step.x, ray.inverse.x, 0);
+        slab(ray.start.y, ray.step.y, ray.inverse.y, 1);
+        slab(ray.start.z, ray.step.z, ray.inverse.z, 2);
         const Mask hit = hn::Lt(ray.first, ray.end);
         const Floats entry = hn::IfThenElseZero(hit, ray.first);
         ray.start = {hn::MulAdd(ray.step.x, entry, ray.start.x), hn::MulAdd(ray.step.y, entry, ray.start.y),
@@ -135,7 +143,7 @@ class RayBlock {
                              splat(static_cast<float>(plane.normal[2]))};
         const Floats along = dot(normal, ray.step);
         const Floats rest = hn::Sub(splat(static_cast<float>(plane.offset)), dot(normal, ray.start));
-        const Floats tiny = splat(1e-20F);
+        const Floats tiny = splat(kParallel);
         const Mask leaving = hn::Gt(along, tiny);
         const Mask entering = hn::Lt(along, hn::Neg(tiny));
         const Floats t = hn::Div(rest, hn::IfThenElse(hn::Or(leaving, entering), along, splat(1)));

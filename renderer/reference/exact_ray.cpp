@@ -185,7 +185,10 @@ void Integrator::cell(const Ray& ray, const Stretch& stretch) {
     const std::vector<double> monotone = field.monotoneCuts();
     std::vector<double> cuts = monotone;
     for (std::size_t i = 1; i < monotone.size(); ++i) {
-        const auto [low, high] = std::minmax(field.at(monotone[i - 1]), field.at(monotone[i]));
+        const double start = field.at(monotone[i - 1]);
+        const double end = field.at(monotone[i]);
+        const double low = std::min(start, end);
+        const double high = std::max(start, end);
         for (auto knot = std::upper_bound(knots_.begin(), knots_.end(), low); knot != knots_.end() && *knot < high;
              ++knot) {
             cuts.push_back(field.rootBetween(monotone[i - 1], monotone[i], *knot));

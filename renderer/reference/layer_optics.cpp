@@ -74,7 +74,7 @@ LayerSample shadeLayer(const PlanLayer& layer, double value, double opacity, con
         return {plain, opacity};
     }
     const optics::PhongTerms<double> terms{layer.specular.strength, layer.specular.exponent};
-    return {optics::phong(plain, surface.normalRay.z, surface.definedness, terms), opacity};
+    return {optics::phong(plain, optics::facing(surface.normalRay.z, layer.twoSided), terms), opacity};
 }
 
 } // namespace limner::reference

@@ -80,10 +80,7 @@ Segment segmentOf(const Ray& ray, const SampleLattice& lattice, long k) {
     if (!(out - in > residue * lattice.stepMm)) {
         return {};
     }
-    if (lattice.phase == 0.5) {
-        return {(in + out) / 2, out - in};
-    }
-    return {std::clamp(at(static_cast<double>(k) + lattice.phase), in, out), out - in};
+    return {in + (out - in) * lattice.phase, out - in};
 }
 
 } // namespace limner::reference
