@@ -67,7 +67,7 @@ double identityError(const Backend& backend, const std::shared_ptr<const LitSphe
 TEST_P(LitSphereIdentity, HoldsForEveryBundledStyle) {
     ASSERT_GE(bundledStyles().size(), 20U);
     for (const Style& style : bundledStyles()) {
-        const double error = identityError(backend(), opaqueCopy(*style.sphere), isReference() ? 96 : 256);
+        const double error = identityError(backend(), opaqueCopy(*style.sphere), isReference() ? 40 : 256);
         EXPECT_LT(error, 0.01) << style.card.id;
         RecordProperty(style.card.id, std::to_string(error));
     }
