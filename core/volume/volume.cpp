@@ -70,8 +70,8 @@ std::size_t storeIndex(const BrickLayout& layout, glm::ivec3 voxel) {
            static_cast<std::size_t>(local.y) * BrickLayout::kRow + static_cast<std::size_t>(local.x);
 }
 
-/// A ray touches bricks all over the store: with small pages every other fetch would also miss the address cache, so the
-/// store asks for huge ones.
+/// A ray touches bricks all over the store: with small pages every other fetch would also miss the address cache, so
+/// the store asks for huge ones.
 std::byte* allocateStore(std::size_t bytes) {
     constexpr std::size_t hugePage = std::size_t{2} << 20;
     const std::size_t rounded = (bytes + hugePage - 1) / hugePage * hugePage;
@@ -101,7 +101,8 @@ Volume::Volume(Contents contents, std::span<const std::byte> stored) : contents_
                     {"not enough memory for the volume", "", "", "close other programs or load a part of it"});
     }
     std::fill_n(store_.get(), BrickLayout::kStorePaddingBytes, std::byte{0});
-    std::fill_n(store_.get() + storeBytes_ - BrickLayout::kStorePaddingBytes, BrickLayout::kStorePaddingBytes, std::byte{0});
+    std::fill_n(store_.get() + storeBytes_ - BrickLayout::kStorePaddingBytes, BrickLayout::kStorePaddingBytes,
+                std::byte{0});
     std::byte* first = store_.get() + BrickLayout::kStorePaddingBytes;
     bricks_ = first;
     switch (contents_.type) {
