@@ -246,8 +246,12 @@ Cleaned cleanSubject(const Preset& preset, const ScanFacts& facts, const std::sh
         const CleanupStep step = cleanupStep(rule, facts, volume->grid());
         Task task;
         auto next = applyCleanup(cleaned.volume, nullptr, {step}, 1, task);
-        if (next == cleaned.volume || removedShare(*cleaned.volume, *next, step.above) < rule.value("at_least", 0.0)) {
+        if (next == cleaned.volume) {
             continue;
+        }
+        const double share = removedShare(*cleaned.volume, *next, step.above);
+        if (share < rule.value("at_least", 0.0) || share > rule.value("at_most", 1.0)) {
+            continue; // not what the rule is for: a holder is large, a table is small beside the subject
         }
         cleaned.volume = std::move(next);
         cleaned.steps.push_back(step);

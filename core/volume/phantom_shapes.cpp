@@ -291,7 +291,7 @@ void paintAirways(Canvas& canvas) {
     canvas.add(kAir, {{-15, -96, -36}, {15, -8, 6}}, [](const Vec& p) {
         const float wall = std::abs(p.x) - 1.2F;                                      // septum
         const float turbinates = 2.2F * std::sin(0.55F * p.z + 0.4F * std::abs(p.x)); // folds of the side wall
-        return std::max(nasalAperture(p) + 4.5F + turbinates, -wall);
+        return std::max({nasalAperture(p) + 4.5F + turbinates, -wall, skin(p) + 4.5F});
     });
     canvas.addEllipsoid(kAir, {25, -52, -20}, {10, 15, 12}); // maxillary sinuses
     canvas.addEllipsoid(kAir, {12, -71, 28}, {8, 3.0F, 5});  // frontal sinuses
