@@ -37,46 +37,51 @@ std::size_t described() {
 }
 
 #define EXPECT_ALL_DESCRIBED(Type, ...)                                                                                \
-    {                                                                                                                  \
+    do {                                                                                                               \
         Type object{};                                                                                                 \
         auto& [__VA_ARGS__] = object;                                                                                  \
         EXPECT_EQ(described<Type>(), count(__VA_ARGS__)) << #Type;                                                     \
-    }
+    } while (false)
 
-TEST(Description, CoversEveryMember){
-    EXPECT_ALL_DESCRIBED(VolumeReference, a, b, c, d, e, f, g,
-                         h) EXPECT_ALL_DESCRIBED(Camera, a, b, c, d, e, f) EXPECT_ALL_DESCRIBED(ClipPlane, a, b)
-        EXPECT_ALL_DESCRIBED(Clip, a, b) EXPECT_ALL_DESCRIBED(CleanupStep, a, b, c, d, e, f, g,
-                                                              h) EXPECT_ALL_DESCRIBED(LabelReference, a, b, c)
-            EXPECT_ALL_DESCRIBED(StyleEntry, a, b, c, d, e, f) EXPECT_ALL_DESCRIBED(TransferNode, a, b, c)
-                EXPECT_ALL_DESCRIBED(TransferGrid, a, b, c) EXPECT_ALL_DESCRIBED(OpacityShape, a, b, c, d, e)
-                    EXPECT_ALL_DESCRIBED(Transfer, a, b, c, d, e, f, g) EXPECT_ALL_DESCRIBED(Contours, a, b, c)
-                        EXPECT_ALL_DESCRIBED(Light, a, b) EXPECT_ALL_DESCRIBED(ColourKey, a, b)
-                            EXPECT_ALL_DESCRIBED(Tone, a, b, c) EXPECT_ALL_DESCRIBED(Silhouette, a, b, c)
-                                EXPECT_ALL_DESCRIBED(Specular, a, b) EXPECT_ALL_DESCRIBED(RampKey, a, b)
-                                    EXPECT_ALL_DESCRIBED(PositionRamp, a, b) EXPECT_ALL_DESCRIBED(DepthOfField, a, b)
-                                        EXPECT_ALL_DESCRIBED(Layer, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q)
-                                            EXPECT_ALL_DESCRIBED(ImportanceWeights, a, b, c, d, e, f, g,
-                                                                 h) EXPECT_ALL_DESCRIBED(Lens, a, b, c, d)
-                                                EXPECT_ALL_DESCRIBED(Importance, a, b, c,
-                                                                     d) EXPECT_ALL_DESCRIBED(StippleBoundary, a, b, c)
-                                                    EXPECT_ALL_DESCRIBED(StippleSilhouette, a, b,
-                                                                         c) EXPECT_ALL_DESCRIBED(StippleResolution, a)
-                                                        EXPECT_ALL_DESCRIBED(StippleDistance, a) EXPECT_ALL_DESCRIBED(
-                                                            StippleInterior, a) EXPECT_ALL_DESCRIBED(StippleLighting, a)
-                                                            EXPECT_ALL_DESCRIBED(StippleCurves, a, b, c, d)
-                                                                EXPECT_ALL_DESCRIBED(Stipple, a, b, c, d, e, f, g, h, i,
-                                                                                     j, k, l, m,
-                                                                                     n, o)
-                                                                    EXPECT_ALL_DESCRIBED(Background, a, b, c)
-                                                                        EXPECT_ALL_DESCRIBED(Annotation, a, b, c, d, e)
-                                                                            EXPECT_ALL_DESCRIBED(Output, a, b, c, d)
-                                                                                EXPECT_ALL_DESCRIBED(Quality, a, b, c,
-                                                                                                     d, e, f)
-                                                                                    EXPECT_ALL_DESCRIBED(Figure, a, b,
-                                                                                                         c, d, e, f, g,
-                                                                                                         h, i, j, k, l,
-                                                                                                         m, n, o, p)}
+TEST(Description, CoversEveryMember) {
+    EXPECT_ALL_DESCRIBED(VolumeReference, a, b, c, d, e, f, g, h);
+    EXPECT_ALL_DESCRIBED(Camera, a, b, c, d, e, f);
+    EXPECT_ALL_DESCRIBED(ClipPlane, a, b);
+    EXPECT_ALL_DESCRIBED(Clip, a, b);
+    EXPECT_ALL_DESCRIBED(CleanupStep, a, b, c, d, e, f, g, h, i);
+    EXPECT_ALL_DESCRIBED(LabelReference, a, b, c);
+    EXPECT_ALL_DESCRIBED(StyleEntry, a, b, c, d, e, f);
+    EXPECT_ALL_DESCRIBED(TransferNode, a, b, c);
+    EXPECT_ALL_DESCRIBED(TransferGrid, a, b, c);
+    EXPECT_ALL_DESCRIBED(OpacityShape, a, b, c, d, e);
+    EXPECT_ALL_DESCRIBED(Transfer, a, b, c, d, e, f, g);
+    EXPECT_ALL_DESCRIBED(Contours, a, b, c);
+    EXPECT_ALL_DESCRIBED(Light, a, b);
+    EXPECT_ALL_DESCRIBED(ColourKey, a, b);
+    EXPECT_ALL_DESCRIBED(Tone, a, b, c);
+    EXPECT_ALL_DESCRIBED(Silhouette, a, b, c);
+    EXPECT_ALL_DESCRIBED(Specular, a, b);
+    EXPECT_ALL_DESCRIBED(RampKey, a, b);
+    EXPECT_ALL_DESCRIBED(PositionRamp, a, b);
+    EXPECT_ALL_DESCRIBED(DepthOfField, a, b);
+    EXPECT_ALL_DESCRIBED(Layer, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q);
+    EXPECT_ALL_DESCRIBED(ImportanceWeights, a, b, c, d, e, f, g, h);
+    EXPECT_ALL_DESCRIBED(Lens, a, b, c, d);
+    EXPECT_ALL_DESCRIBED(Importance, a, b, c, d);
+    EXPECT_ALL_DESCRIBED(StippleBoundary, a, b, c);
+    EXPECT_ALL_DESCRIBED(StippleSilhouette, a, b, c);
+    EXPECT_ALL_DESCRIBED(StippleResolution, a);
+    EXPECT_ALL_DESCRIBED(StippleDistance, a);
+    EXPECT_ALL_DESCRIBED(StippleInterior, a);
+    EXPECT_ALL_DESCRIBED(StippleLighting, a);
+    EXPECT_ALL_DESCRIBED(StippleCurves, a, b, c, d);
+    EXPECT_ALL_DESCRIBED(Stipple, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o);
+    EXPECT_ALL_DESCRIBED(Background, a, b, c);
+    EXPECT_ALL_DESCRIBED(Annotation, a, b, c, d, e);
+    EXPECT_ALL_DESCRIBED(Output, a, b, c, d);
+    EXPECT_ALL_DESCRIBED(Quality, a, b, c, d, e, f);
+    EXPECT_ALL_DESCRIBED(Figure, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p);
+}
 
 TEST(ParameterTable, IsInOrderAndComplete) {
     std::set<std::string> pointers;

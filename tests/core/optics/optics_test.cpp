@@ -224,8 +224,7 @@ TEST(Optics, TakesAVectorType) {
     const auto normal = normalFromGradient(gradient);
     const auto turned = facingViewer(normalInRayFrame(normal, {Lanes(0.6), Lanes(0), Lanes(-0.8)}));
     const auto point = litSpherePoint(turned);
-    const auto lit = phong<Lanes>({Lanes(0.5), Lanes(0.5), Lanes(0.5)}, turned.z, normalDefinedness(Lanes(2), Lanes(1)),
-                                  {Lanes(0.2), Lanes(10)});
+    const auto lit = phong<Lanes>({Lanes(0.5), Lanes(0.5), Lanes(0.5)}, turned.z, {Lanes(0.2), Lanes(10)});
     for (std::size_t i = 0; i < 4; ++i) {
         const double one = opacityOfLength(alpha.v[i], 0.5);
         EXPECT_EQ(corrected.v[i], one);
