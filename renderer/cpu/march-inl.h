@@ -13,20 +13,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace limner::HWY_NAMESPACE {
 
-/// A packet of rays on its way.
-struct Stream {
-    RayPacket ray;
-    Ints pixel;    ///< of each lane, inside the block
-    Floats k, end; ///< next lattice sample, and the first that is not wanted
-    Floats red, green, blue, alpha;
-    Mask alive;
-    bool settled; ///< every living lane stands in a block that can contribute
-};
-
-/// Marches two packets at a time. One packet alone leaves the processor waiting: each step is a chain of about a
-/// hundred cycles from position over voxels and table to the next decision. Two chains that know nothing of each other
-/// overlap. Choices that hold for a whole figure are plain branches: every lane of every packet takes the same side, so
-/// they cost next to nothing, while a template for each would multiply the code.
+/// Marches one packet. Choices that hold for a whole figure are plain branches: every lane of every packet takes the
+/// same side, so they cost next to nothing, while a template for each would multiply the code.
 template <typename Voxel, typename Offset>
 class March {
     using VoxelField = Field<Voxel, Offset>;
@@ -34,141 +22,117 @@ class March {
     static constexpr int kBurst = 4; ///< steps between two looks at the skip grid: 4 to 8 measured best
 
   public:
-    static constexpr int kStreams = 2;
-
     March(const KernelScene& scene, float* rgba)
         : scene_(scene), field_{scene}, queue_(scene, rgba),
           oneOpacity_(scene.layerCount == 1 && !scene.layers[0].directionalOpacity) {}
 
-    HWY_INLINE void start(int stream, const RayPacket& ray, Ints pixel) {
-        Stream& s = streams_[stream];
-        s.ray = ray;
-        s.pixel = pixel;
-        s.red = s.green = s.blue = s.alpha = splat(0);
-        s.k = hn::Floor(ray.first);
-        s.end = hn::Ceil(ray.end);
-        s.alive = hn::And(ray.hit, hn::Lt(s.k, s.end));
-    }
-
-    HWY_INLINE void run() {
-        for (;;) {
-            skipEmpty();
-            bool living = false;
-            bool edge = false;
-            for (const Stream& s : streams_) {
-                const Mask part = hn::Or(hn::Lt(s.k, s.ray.first), hn::Gt(hn::Add(s.k, splat(kBurst)), s.ray.end));
-                living |= !hn::AllFalse(kF, s.alive);
-                edge |= !hn::AllFalse(kF, hn::And(s.alive, part));
-            }
-            if (!living) {
-                return;
-            }
-#pragma GCC unroll 1
-            for (int i = 0; i < kBurst; ++i) {
-                for (Stream& s : streams_) {
-                    step(s, edge);
-                }
-            }
+    HWY_INLINE void run(const RayPacket& ray, Ints pixel) {
+        ray_ = &ray;
+        pixel_ = pixel;
+        red_ = green_ = blue_ = alpha_ = splat(0);
+        k_ = hn::Floor(ray.first);
+        end_ = hn::Ceil(ray.end);
+        alive_ = hn::And(ray.hit, hn::Lt(k_, end_));
+        while (!hn::AllFalse(kF, alive_) && skipEmpty()) {
+            const Mask edge =
+                hn::And(alive_, hn::Or(hn::Lt(k_, ray.first), hn::Gt(hn::Add(k_, splat(kBurst)), ray.end)));
+            burst(!hn::AllFalse(kF, edge));
         }
     }
 
     /// Colours that were composed one by one; with one opacity the queue has added them to the picture instead.
     [[nodiscard]] bool hasColours() const { return !oneOpacity_; }
-    [[nodiscard]] const Stream& stream(int i) const { return streams_[i]; }
+    HWY_INLINE void result(float* r, float* g, float* b, float* a) const {
+        hn::Store(red_, kF, r);
+        hn::Store(green_, kF, g);
+        hn::Store(blue_, kF, b);
+        hn::Store(alpha_, kF, a);
+    }
     /// Shades what still waits; after the last packet of a block.
     HWY_INLINE void finish() { queue_.finish(); }
     [[nodiscard]] HWY_INLINE KernelCounts counts() const {
-        return {static_cast<std::uint64_t>(hn::GetLane(hn::SumOfLanes(kI, samples_))), shaded_};
+        return {static_cast<std::uint64_t>(hn::GetLane(hn::SumOfLanes(kI, samples_))), counts_.shaded};
     }
 
   private:
-    HWY_INLINE Vec3 position(const RayPacket& ray, Floats s) const {
+    HWY_INLINE Vec3 position(Floats s) const {
         const auto clamped = [&](Floats start, Floats step, int axis)
                                  HWY_ATTR { return hn::Min(hn::MulAdd(step, s, start), splat(scene_.lastCell[axis])); };
-        return {clamped(ray.start.x, ray.step.x, 0), clamped(ray.start.y, ray.step.y, 1),
-                clamped(ray.start.z, ray.step.z, 2)};
+        return {clamped(ray_->start.x, ray_->step.x, 0), clamped(ray_->start.y, ray_->step.y, 1),
+                clamped(ray_->start.z, ray_->step.z, 2)};
     }
 
     /// The stretch of the lattice's sample that is inside the visible part: begin and length, in steps.
     struct Segment {
         Floats begin, length;
     };
-    static HWY_INLINE Segment segment(const Stream& s) {
-        const Floats begin = hn::Max(s.k, s.ray.first);
-        return {begin, hn::Sub(hn::Min(hn::Add(s.k, splat(1)), s.ray.end), begin)};
+    HWY_INLINE Segment segment() const {
+        const Floats begin = hn::Max(k_, ray_->first);
+        return {begin, hn::Sub(hn::Min(hn::Add(k_, splat(1)), ray_->end), begin)};
     }
 
-    /// Moves every lane on to its next sample in a block that can contribute.
-    HWY_INLINE void skipEmpty() {
-        for (Stream& s : streams_) {
-            s.settled = hn::AllFalse(kF, s.alive);
-        }
-        bool moving = true;
-        while (moving) {
-            moving = false;
-            for (Stream& s : streams_) {
-                if (!s.settled) {
-                    leap(s);
-                    moving |= !s.settled;
-                }
+    /// Moves every lane on to the next sample in a block that can contribute. False: nothing is left.
+    HWY_INLINE bool skipEmpty() {
+        constexpr int log2 = MinMaxGrid::kLog2BlockCells;
+        const Floats phase = splat(scene_.phase);
+        for (;;) {
+            const Segment part = segment();
+            const Floats s = hn::MulAdd(part.length, phase, part.begin);
+            const Vec3 q = position(s);
+            const Ints bx = hn::ShiftRight<log2>(truncate(q.x));
+            const Ints by = hn::ShiftRight<log2>(truncate(q.y));
+            const Ints bz = hn::ShiftRight<log2>(truncate(q.z));
+            const Ints block =
+                hn::Add(hn::Mul(hn::Add(hn::Mul(bz, splatInt(scene_.blocks[1])), by), splatInt(scene_.blocks[0])), bx);
+            // Lanes that are done may stand anywhere; they read block 0.
+            const Ints safe = hn::IfThenElseZero(hn::RebindMask(kI, alive_), block);
+            const Ints distance = hn::And(gatherAt(scene_.distance, safe), splatInt(255));
+            const Mask empty = hn::And(alive_, hn::RebindMask(kF, hn::Gt(distance, hn::Zero(kI))));
+            if (hn::AllFalse(kF, empty)) {
+                return true;
+            }
+            const auto exit = [&](Floats step, Floats inverse, Ints b, Floats x) HWY_ATTR {
+                const Ints ahead = hn::Add(b, distance);
+                const Ints behind = hn::Add(hn::Sub(b, distance), splatInt(1));
+                const Ints wall = hn::IfThenElse(hn::RebindMask(kI, hn::Gt(step, splat(0))), ahead, behind);
+                return hn::Mul(hn::Sub(toFloat(hn::ShiftLeft<log2>(wall)), x), inverse);
+            };
+            const Floats leave = hn::Min(
+                exit(ray_->step.x, ray_->inverse.x, bx, q.x),
+                hn::Min(exit(ray_->step.y, ray_->inverse.y, by, q.y), exit(ray_->step.z, ray_->inverse.z, bz, q.z)));
+            // The first lattice sample past the wall.
+            const Floats next = hn::Add(hn::Floor(hn::Sub(hn::Add(s, leave), phase)), splat(1));
+            k_ = hn::IfThenElse(empty, hn::Max(next, hn::Add(k_, splat(1))), k_);
+            alive_ = hn::And(alive_, hn::Lt(k_, end_));
+            if (hn::AllFalse(kF, alive_)) {
+                return false;
             }
         }
     }
 
-    /// One leap out of the empty cube around each lane's block.
-    HWY_INLINE void leap(Stream& s) {
-        constexpr int log2 = MinMaxGrid::kLog2BlockCells;
-        const Floats phase = splat(scene_.phase);
-        const Segment part = segment(s);
-        const Floats at = hn::MulAdd(part.length, phase, part.begin);
-        const Vec3 q = position(s.ray, at);
-        const Ints bx = hn::ShiftRight<log2>(truncate(q.x));
-        const Ints by = hn::ShiftRight<log2>(truncate(q.y));
-        const Ints bz = hn::ShiftRight<log2>(truncate(q.z));
-        const Ints block =
-            hn::Add(hn::Mul(hn::Add(hn::Mul(bz, splatInt(scene_.blocks[1])), by), splatInt(scene_.blocks[0])), bx);
-        // Lanes that are done may stand anywhere; they read block 0.
-        const Ints safe = hn::IfThenElseZero(hn::RebindMask(kI, s.alive), block);
-        const Ints distance = hn::And(gatherAt(scene_.distance, safe), splatInt(255));
-        const Mask empty = hn::And(s.alive, hn::RebindMask(kF, hn::Gt(distance, hn::Zero(kI))));
-        if (hn::AllFalse(kF, empty)) {
-            s.settled = true;
-            return;
+    /// `edge`: some lane is at the first or last, partial sample of its stretch.
+    HWY_INLINE void burst(bool edge) {
+        for (int i = 0; i < kBurst; ++i) {
+            Segment part = {k_, splat(1)};
+            if (edge) {
+                part = segment();
+            }
+            const Vec3 q = position(hn::MulAdd(part.length, splat(scene_.phase), part.begin));
+            const Place place = field_.locate(q, alive_);
+            const Floats found = hn::MulAdd(field_.value(place), splat(scene_.tableScale), splat(scene_.tableBias));
+            const Floats entry = hn::IfThenElseZero(alive_, found); // the others may hold anything
+            samples_ = hn::Sub(samples_, hn::BitCast(kI, hn::VecFromMask(kF, alive_)));
+            k_ = hn::Add(k_, splat(1));
+            const Mask inRange =
+                hn::And(hn::Gt(entry, splat(scene_.visibleFrom)), hn::Lt(entry, splat(scene_.visibleTo)));
+            if (!hn::AllFalse(kF, hn::And(inRange, alive_))) {
+                look({place, entry, part.length}, edge);
+            }
+            alive_ = hn::And(alive_, hn::Lt(k_, end_));
+            if (hn::AllFalse(kF, alive_)) {
+                return;
+            }
         }
-        const auto exit = [&](Floats step, Floats inverse, Ints b, Floats x) HWY_ATTR {
-            const Ints ahead = hn::Add(b, distance);
-            const Ints behind = hn::Add(hn::Sub(b, distance), splatInt(1));
-            const Ints wall = hn::IfThenElse(hn::RebindMask(kI, hn::Gt(step, splat(0))), ahead, behind);
-            return hn::Mul(hn::Sub(toFloat(hn::ShiftLeft<log2>(wall)), x), inverse);
-        };
-        const RayPacket& ray = s.ray;
-        const Floats leave =
-            hn::Min(exit(ray.step.x, ray.inverse.x, bx, q.x),
-                    hn::Min(exit(ray.step.y, ray.inverse.y, by, q.y), exit(ray.step.z, ray.inverse.z, bz, q.z)));
-        // The first lattice sample past the wall.
-        const Floats next = hn::Add(hn::Floor(hn::Sub(hn::Add(at, leave), phase)), splat(1));
-        s.k = hn::IfThenElse(empty, hn::Max(next, hn::Add(s.k, splat(1))), s.k);
-        s.alive = hn::And(s.alive, hn::Lt(s.k, s.end));
-        s.settled = hn::AllFalse(kF, s.alive);
-    }
-
-    /// One sample of every living lane. `edge`: some lane is at the first or last, partial sample of its stretch.
-    HWY_INLINE void step(Stream& s, bool edge) {
-        Segment part = {s.k, splat(1)};
-        if (edge) {
-            part = segment(s);
-        }
-        const Vec3 q = position(s.ray, hn::MulAdd(part.length, splat(scene_.phase), part.begin));
-        const Place place = field_.locate(q, s.alive);
-        const Floats found = hn::MulAdd(field_.value(place), splat(scene_.tableScale), splat(scene_.tableBias));
-        const Floats entry = hn::IfThenElseZero(s.alive, found); // the others may hold anything
-        samples_ = hn::Sub(samples_, hn::BitCast(kI, hn::VecFromMask(kF, s.alive)));
-        s.k = hn::Add(s.k, splat(1));
-        const Mask inRange = hn::And(hn::Gt(entry, splat(scene_.visibleFrom)), hn::Lt(entry, splat(scene_.visibleTo)));
-        if (!hn::AllFalse(kF, hn::And(inRange, s.alive))) {
-            look(s, {place, entry, part.length}, edge);
-        }
-        s.alive = hn::And(s.alive, hn::Lt(s.k, s.end));
     }
 
     struct Sample {
@@ -178,57 +142,59 @@ class March {
     };
 
     /// Looks a sample up, and hands it on where it can be seen.
-    HWY_INLINE void look(Stream& s, const Sample& sample, bool edge) {
+    HWY_INLINE void look(const Sample& sample, bool edge) {
         const TablePlace at(sample.entry);
-        const Floats visible = hn::IfThenElseZero(s.alive, at.read(scene_.visibility));
+        const Floats visible = hn::IfThenElseZero(alive_, at.read(scene_.visibility));
         const Mask shows = hn::Gt(visible, splat(0));
         if (hn::AllFalse(kF, shows)) {
             return;
         }
-        shaded_ += hn::CountTrue(kF, shows);
+        counts_.shaded += hn::CountTrue(kF, shows);
         if (oneOpacity_) {
             const Floats opacity = edge ? opacityOfPart(visible, sample.part) : visible;
-            const Floats weight = hn::NegMulAdd(opacity, s.alpha, opacity);
-            s.alpha = hn::Add(s.alpha, weight);
-            queue_.push({sample.place, sample.entry, weight, s.pixel, s.ray.view}, shows);
+            const Floats weight = hn::NegMulAdd(opacity, alpha_, opacity);
+            alpha_ = hn::Add(alpha_, weight);
+            queue_.push({sample.place, sample.entry, weight, pixel_, ray_->view}, shows);
         } else {
             for (int i = 0; i < scene_.layerCount; ++i) {
-                composeLayer(s, scene_.layers[i], sample, edge);
+                composeLayer(scene_.layers[i], sample, at, edge);
             }
         }
-        s.alive = hn::And(s.alive, hn::Lt(s.alpha, splat(scene_.opaque)));
+        alive_ = hn::And(alive_, hn::Lt(alpha_, splat(scene_.opaque)));
     }
 
-    HWY_NOINLINE void composeLayer(Stream& s, const KernelLayer& layer, const Sample& sample, bool edge) {
-        const TablePlace at(sample.entry);
-        Floats opacity = hn::IfThenElseZero(s.alive, at.read(layer.stepOpacity));
+    HWY_NOINLINE void composeLayer(const KernelLayer& layer, const Sample& sample, const TablePlace& at, bool edge) {
+        Floats opacity = hn::IfThenElseZero(alive_, at.read(layer.stepOpacity));
         if (hn::AllFalse(kF, hn::Gt(opacity, splat(0)))) {
             return;
         }
         LaneColours colours;
-        sampleColours(field_, layer, sample.place, sample.entry, s.ray.view, colours);
+        sampleColours(field_, layer, sample.place, sample.entry, ray_->view, colours);
         Floats r, g, b, directional;
         hn::LoadInterleaved4(kF, colours.rgba, r, g, b, directional);
         if (layer.directionalOpacity) {
             const Floats whole = hn::Mul(at.read(layer.opacity), directional);
-            opacity = hn::IfThenElseZero(s.alive, opacityOfStep(scene_, whole, sample.part));
+            opacity = hn::IfThenElseZero(alive_, opacityOfStep(scene_, whole, sample.part));
         } else if (edge) {
             opacity = opacityOfPart(opacity, sample.part);
         }
-        const Floats weight = hn::NegMulAdd(opacity, s.alpha, opacity);
-        s.red = hn::MulAdd(weight, r, s.red);
-        s.green = hn::MulAdd(weight, g, s.green);
-        s.blue = hn::MulAdd(weight, b, s.blue);
-        s.alpha = hn::Add(s.alpha, weight);
+        const Floats weight = hn::NegMulAdd(opacity, alpha_, opacity);
+        red_ = hn::MulAdd(weight, r, red_);
+        green_ = hn::MulAdd(weight, g, green_);
+        blue_ = hn::MulAdd(weight, b, blue_);
+        alpha_ = hn::Add(alpha_, weight);
     }
 
     const KernelScene& scene_;
     VoxelField field_;
     ShadeQueue<VoxelField, Offset> queue_;
-    Stream streams_[kStreams];
-    Ints samples_ = hn::Zero(kI);
-    std::uint64_t shaded_ = 0;
+    KernelCounts counts_;
     bool oneOpacity_; ///< a sample's opacity is known before its colour: no directional opacity, one layer
+    const RayPacket* ray_ = nullptr;
+    Ints pixel_{};
+    Ints samples_ = hn::Zero(kI);
+    Floats k_{}, end_{}, red_{}, green_{}, blue_{}, alpha_{};
+    Mask alive_{};
 };
 
 /// Packet of neighbouring rays: 2x2, 4x2 or 4x4.
@@ -241,83 +207,46 @@ HWY_INLINE PacketShape packetShape() {
     return {width, lanes / width};
 }
 
-/// Casts a block's packets and writes their pixels.
-template <typename Voxel, typename Offset>
-class BlockCaster {
-    using BlockMarch = March<Voxel, Offset>;
-
-  public:
-    BlockCaster(const KernelScene& scene, const KernelBlock& block, float* rgba)
-        : rays_(scene, block), march_(scene, rgba), block_(block), rgba_(rgba) {}
-
-    HWY_INLINE KernelCounts run() {
-        for (int y = 0; y < block_.height; y += shape_.height) {
-            for (int x = 0; x < block_.width; x += shape_.width * BlockMarch::kStreams) {
-                bool hit = false;
-                for (int i = 0; i < BlockMarch::kStreams; ++i) {
-                    hit |= start(i, x + i * shape_.width, y);
-                }
-                if (hit) {
-                    march_.run();
-                    for (int i = 0; i < BlockMarch::kStreams; ++i) {
-                        keep(march_.stream(i));
-                    }
-                }
-            }
-        }
-        march_.finish();
-        for (int i = 0; i < KernelBlock::kSize * KernelBlock::kSize; ++i) {
-            rgba_[4 * i + 3] = alpha_[i];
-        }
-        return march_.counts();
-    }
-
-  private:
-    HWY_INLINE bool start(int stream, int x, int y) {
-        alignas(64) float dx[kMaxLanes];
-        alignas(64) float dy[kMaxLanes];
-        alignas(64) std::int32_t pixel[kMaxLanes];
-        for (int lane = 0; lane < shape_.width * shape_.height; ++lane) {
-            const int column = x + lane % shape_.width;
-            const int row = y + lane / shape_.width;
-            dx[lane] = static_cast<float>(column) + 0.5F - 0.5F * KernelBlock::kSize;
-            dy[lane] = static_cast<float>(row) + 0.5F - 0.5F * KernelBlock::kSize;
-            pixel[lane] = row * KernelBlock::kSize + column;
-        }
-        const RayPacket packet = rays_.packet(hn::Load(kF, dx), hn::Load(kF, dy));
-        march_.start(stream, packet, hn::Load(kI, pixel));
-        return !hn::AllFalse(kF, packet.hit);
-    }
-
-    HWY_INLINE void keep(const Stream& s) {
-        alignas(64) float channel[4][kMaxLanes];
-        alignas(64) std::int32_t pixel[kMaxLanes];
-        hn::Store(s.red, kF, channel[0]);
-        hn::Store(s.green, kF, channel[1]);
-        hn::Store(s.blue, kF, channel[2]);
-        hn::Store(s.alpha, kF, channel[3]);
-        hn::Store(s.pixel, kI, pixel);
-        for (int lane = 0; lane < shape_.width * shape_.height; ++lane) {
-            alpha_[pixel[lane]] = channel[3][lane];
-            for (int c = 0; c < 3 && march_.hasColours(); ++c) {
-                rgba_[4 * pixel[lane] + c] = channel[c][lane];
-            }
-        }
-    }
-
-    const PacketShape shape_ = packetShape();
-    const RayBlock rays_;
-    BlockMarch march_;
-    const KernelBlock& block_;
-    float* rgba_;
-    // The queue adds colours late; opacities wait beside them.
-    alignas(64) float alpha_[KernelBlock::kSize * KernelBlock::kSize] = {};
-};
-
 template <typename Voxel, typename Offset>
 void castRays(const KernelScene& scene, const KernelBlock& block, float* rgba, KernelCounts& counts) {
-    BlockCaster<Voxel, Offset> caster(scene, block, rgba);
-    counts = caster.run();
+    const PacketShape shape = packetShape();
+    const RayBlock rays(scene, block);
+    March<Voxel, Offset> march(scene, rgba);
+    alignas(64) float dx[kMaxLanes];
+    alignas(64) float dy[kMaxLanes];
+    alignas(64) std::int32_t pixel[kMaxLanes];
+    alignas(64) float channel[4][kMaxLanes];
+    // The queue adds colours late; opacities wait beside them.
+    alignas(64) float alpha[KernelBlock::kSize * KernelBlock::kSize] = {};
+    const int lanes = shape.width * shape.height;
+    for (int y = 0; y < block.height; y += shape.height) {
+        for (int x = 0; x < block.width; x += shape.width) {
+            for (int lane = 0; lane < lanes; ++lane) {
+                const int column = x + lane % shape.width;
+                const int row = y + lane / shape.width;
+                dx[lane] = static_cast<float>(column) + 0.5F - 0.5F * KernelBlock::kSize;
+                dy[lane] = static_cast<float>(row) + 0.5F - 0.5F * KernelBlock::kSize;
+                pixel[lane] = row * KernelBlock::kSize + column;
+            }
+            const RayPacket packet = rays.packet(hn::Load(kF, dx), hn::Load(kF, dy));
+            if (hn::AllFalse(kF, packet.hit)) {
+                continue; // the picture starts out clear
+            }
+            march.run(packet, hn::Load(kI, pixel));
+            march.result(channel[0], channel[1], channel[2], channel[3]);
+            for (int lane = 0; lane < lanes; ++lane) {
+                alpha[pixel[lane]] = channel[3][lane];
+                for (int c = 0; c < 3 && march.hasColours(); ++c) {
+                    rgba[4 * pixel[lane] + c] = channel[c][lane];
+                }
+            }
+        }
+    }
+    march.finish();
+    for (int i = 0; i < KernelBlock::kSize * KernelBlock::kSize; ++i) {
+        rgba[4 * i + 3] = alpha[i];
+    }
+    counts = march.counts();
 }
 
 template <typename Voxel>
