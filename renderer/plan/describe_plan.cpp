@@ -1,5 +1,7 @@
 #include "renderer/plan/describe_plan.h"
 
+#include "core/figure/figure_json.h"
+
 #include <algorithm>
 
 namespace limner {
@@ -22,6 +24,7 @@ bool anyLayer(const RenderPlan& plan, Shading shading) {
 } // namespace
 
 void describePlan(RenderPlan& plan, const PlanRequest& request) {
+    plan.notDrawn = partsNotDrawn(*plan.figure);
     const auto feature = [&](bool used, const char* name, const char* why, const char* whyNot) {
         (used ? plan.featuresUsed : plan.featuresLeftOut).push_back({name, used ? why : whyNot});
     };
