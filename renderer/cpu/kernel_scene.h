@@ -16,10 +16,9 @@ struct KernelLayer {
     Shading shading = Shading::flat;
     bool twoSided = true;
     bool directionalOpacity = false;
-    const float* stepOpacity = nullptr; ///< entries + 1, read by linear interpolation
-    const float* opacity = nullptr;     ///< of the reference length; directional opacity only
-    /// Phong and flat: for every entry its colour and the next one's, interleaved r r' g g' b b' a a', 15 bits each.
-    const std::int16_t* colours = nullptr;
+    const float* stepOpacity = nullptr;       ///< entries + 1, read by linear interpolation
+    const float* opacity = nullptr;           ///< of the reference length; directional opacity only
+    const float* colours = nullptr;           ///< Phong and flat: RGBA of every entry and one more, 16-byte aligned
     const float* index = nullptr;             ///< fractional node index; style only
     const std::int32_t* slotOfNode = nullptr; ///< node -> atlas slot
     std::int32_t lastNode = 0;

@@ -20,10 +20,6 @@ constexpr glm::dvec3 kCellFromVoxel{1}; // cell coordinate = voxel coordinate + 
 /// Unit of the kernel's interpolated values (Field::kScale).
 double kernelScale(VoxelType type) { return type == VoxelType::float32 ? 1.0 : 32767.0; }
 
-std::int16_t fifteenBits(double unit) {
-    return static_cast<std::int16_t>(std::lround(std::clamp(unit, 0.0, 1.0) * 32767));
-}
-
 void copy(const glm::dvec3& from, double (&to)[3]) {
     for (int i = 0; i < 3; ++i) {
         to[i] = from[i];
@@ -130,19 +126,14 @@ glm::dvec3 BuiltScene::nodeColour(const PlanLayer& layer, double index) {
 
 void BuiltScene::addColours(const PlanLayer& layer, KernelLayer& out) {
     const std::vector<float>& index = layer.table.index;
-    std::vector<std::int16_t> pairs;
-    pairs.reserve((index.size() + 1) * 8);
+    std::vector<Colour> colours;
+    colours.reserve(index.size() + 1);
     for (std::size_t entry = 0; entry <= index.size(); ++entry) { // one more: interpolation at the last entry reads it
-        const glm::dvec3 here = nodeColour(layer, index[std::min(entry, index.size() - 1)]);
-        const glm::dvec3 next = nodeColour(layer, index[std::min(entry + 1, index.size() - 1)]);
-        for (int channel = 0; channel < 3; ++channel) {
-            pairs.push_back(fifteenBits(here[channel]));
-            pairs.push_back(fifteenBits(next[channel]));
-        }
-        pairs.insert(pairs.end(), 2, fifteenBits(1));
+        const glm::vec3 rgb(nodeColour(layer, index[std::min(entry, index.size() - 1)]));
+        colours.push_back({{rgb.r, rgb.g, rgb.b, 1}});
     }
-    colours_.push_back(std::move(pairs));
-    out.colours = colours_.back().data();
+    colours_.push_back(std::move(colours));
+    out.colours = colours_.back().front().rgba;
 }
 
 void BuiltScene::addLayer(const RenderPlan& plan, const PlanLayer& layer) {

@@ -32,7 +32,10 @@ class BuiltScene {
     std::vector<KernelLayer> layers_;
     std::deque<std::vector<float>> tables_; // a deque: addresses stay
     std::deque<std::vector<std::int32_t>> slots_;
-    std::deque<std::vector<std::int16_t>> colours_;
+    struct alignas(16) Colour {
+        float rgba[4];
+    };
+    std::deque<std::vector<Colour>> colours_;
     std::vector<float> means_;
 };
 

@@ -78,8 +78,10 @@ HWY_INLINE Quad blendPairs(hn::Vec<decltype(kQuadPairs)> pairs, std::int32_t wei
 constexpr float kUnit = 1.0F / (32767.0F * 32767.0F);
 
 /// One entry of a colour table and the next, interpolated.
-HWY_INLINE Quad entryColour(const std::int16_t* table, std::int32_t entry, std::int32_t weight) {
-    return hn::Mul(blendPairs(hn::LoadU(kQuadPairs, table + std::ptrdiff_t{8} * entry), weight), hn::Set(kQuad, kUnit));
+HWY_INLINE Quad entryColour(const float* table, std::int32_t entry, float fraction) {
+    const Quad here = hn::Load(kQuad, table + std::ptrdiff_t{4} * entry);
+    const Quad next = hn::Load(kQuad, table + std::ptrdiff_t{4} * entry + 4);
+    return hn::MulAdd(hn::Sub(next, here), hn::Set(kQuad, fraction), here);
 }
 
 /// Bilinear between four texels; two loads.
@@ -103,20 +105,18 @@ struct LaneFloats {
     HWY_INLINE explicit LaneFloats(Floats v) { hn::Store(v, kF, at); }
 };
 
-/// A place in a table: whole entry and the weights towards the next.
+/// A place in a table: whole entry and how far it is to the next.
 struct EntryLanes {
-    LaneInts entry, weight;
-    HWY_INLINE explicit EntryLanes(Floats tableEntry) : EntryLanes(tableEntry, truncate(tableEntry)) {}
-
-  private:
-    HWY_INLINE EntryLanes(Floats tableEntry, Ints whole)
-        : entry(whole), weight(pairWeights(hn::Max(hn::Sub(tableEntry, toFloat(whole)), splat(0)))) {}
+    LaneInts entry;
+    LaneFloats fraction;
+    HWY_INLINE explicit EntryLanes(Floats tableEntry)
+        : entry(truncate(tableEntry)), fraction(hn::Sub(tableEntry, toFloat(truncate(tableEntry)))) {}
 };
 
 HWY_INLINE void flatColours(const KernelLayer& layer, Floats tableEntry, LaneColours& out) {
     const EntryLanes at(tableEntry);
     for (std::size_t lane = 0; lane < hn::Lanes(kF); ++lane) {
-        hn::Store(entryColour(layer.colours, at.entry.at[lane], at.weight.at[lane]), kQuad, out.rgba + 4 * lane);
+        hn::Store(entryColour(layer.colours, at.entry.at[lane], at.fraction.at[lane]), kQuad, out.rgba + 4 * lane);
     }
 }
 
@@ -127,7 +127,7 @@ HWY_INLINE void phongColours(const KernelLayer& layer, Floats tableEntry, Floats
     const LaneFloats highlight(hn::Mul(splat(layer.specularStrength), power(lit, layer.specularExponent)));
     const EntryLanes at(tableEntry);
     for (std::size_t lane = 0; lane < hn::Lanes(kF); ++lane) {
-        const Quad c = entryColour(layer.colours, at.entry.at[lane], at.weight.at[lane]);
+        const Quad c = entryColour(layer.colours, at.entry.at[lane], at.fraction.at[lane]);
         const Quad shaded = hn::MulAdd(c, hn::Set(kQuad, factor.at[lane]), hn::Set(kQuad, highlight.at[lane]));
         hn::Store(hn::Min(shaded, hn::Set(kQuad, 1.0F)), kQuad, out.rgba + 4 * lane);
     }
