@@ -27,7 +27,7 @@ build() {
     preset=$1
     shift
     quietly "$root/build/$preset-configure.log" cmake -S "$root" --preset "$preset"
-    # Four hundred MB a compiler at worst (ITK): as many jobs as there are processors.
+    # Four hundred MB a compiler at worst: as many jobs as there are processors.
     cmake --build "$root/build/$preset" --parallel "$(nproc)" --target "$@" > "$root/build/$preset-build.log" 2>&1 || {
         grep -E -A 6 'error:|FAILED:|undefined reference' "$root/build/$preset-build.log" | head -n 60
         echo "failed: the $preset build (all of it in build/$preset-build.log)"

@@ -27,6 +27,7 @@ struct DicomElement {
     std::vector<DicomDataSet> items;                   ///< of a sequence
     std::vector<std::span<const std::byte>> fragments; ///< of encapsulated pixels; the first is the offset table
     bool encapsulated = false;
+    bool cutOff = false; ///< the last fragment is shorter than it says
 };
 
 /// Elements that are read, and typed access to them.
@@ -49,7 +50,6 @@ struct DicomFile {
     ByteBuffer inflated; ///< data set of the deflated transfer syntax
     std::string transferSyntax;
     DicomDataSet data;
-    bool cutOff = false; ///< ended inside an element
 };
 
 /// Whether a file starts as DICOM does, with or without a preamble.

@@ -177,6 +177,7 @@ class Walker {
             element.fragments.push_back(bytes_.subspan(at_, length));
             at_ += length;
             if (length < head.length) {
+                element.cutOff = true;
                 return false;
             }
         }
@@ -329,7 +330,7 @@ std::optional<DicomFile> parseDicom(const Context& context, const std::filesyste
         file.transferSyntax = "1.2.840.10008.1.2.1";
     }
     Walker walker(rest, syntax);
-    file.cutOff = !walker.readDataSet(file.data, rest.size(), 0);
+    walker.readDataSet(file.data, rest.size(), 0); // what is missing shows where it is asked for
     if (file.data.elements.empty()) {
         return std::nullopt;
     }

@@ -173,6 +173,18 @@ std::optional<gdcm::TransferSyntax::TSType> codecOf(const std::string& uid) {
     return found == kCodecs.end() ? std::nullopt : std::optional(found->second);
 }
 
+/// Whether a JPEG-LS stream has its end: the decoder looks very long for one that is missing.
+bool hasEnd(std::span<const std::byte> stream) {
+    constexpr std::size_t kPadding = 16; // zeros that may follow
+    const std::size_t from = stream.size() - std::min(stream.size(), kPadding);
+    for (std::size_t i = from; i + 1 < stream.size(); ++i) {
+        if (stream[i] == std::byte{0xff} && stream[i + 1] == std::byte{0xd9}) {
+            return true;
+        }
+    }
+    return false;
+}
+
 void decodeWithGdcm(const Context& context, std::span<const std::byte> stream, const DicomFile& file,
                     const DicomPixels& pixels, std::span<std::byte> out) {
     const auto codec = codecOf(file.transferSyntax);
@@ -187,6 +199,11 @@ void decodeWithGdcm(const Context& context, std::span<const std::byte> stream, c
                       size->components == static_cast<std::uint32_t>(pixels.samples) && size->bits >= 1 &&
                       size->bits <= static_cast<std::uint32_t>(pixels.bitsAllocated) &&
                       (size->bits > 8) == (pixels.bitsAllocated > 8);
+    const bool jpegLs =
+        *codec == gdcm::TransferSyntax::JPEGLSLossless || *codec == gdcm::TransferSyntax::JPEGLSNearLossless;
+    if (jpegLs && !hasEnd(stream)) {
+        context.refuse("its compressed pixels are cut off", "copy or export the file anew");
+    }
     if (!fits) {
         context.refuse("its compressed pixels do not have the size its header gives");
     }
@@ -313,6 +330,9 @@ void checkDicomPixels(const Context& context, const DicomFile& file, const Dicom
     if (!isNative(file)) {
         if (element->fragments.size() < 2) {
             context.refuse("the compressed pixels of " + name + " are missing");
+        }
+        if (element->cutOff) {
+            context.refuse(name + " is cut off inside its compressed pixels", "copy or export the file anew");
         }
         return;
     }

@@ -159,7 +159,9 @@ void readPage(const Context& context, OIIO::ImageInput& input, const Page& page,
                            std::to_string(spec.height) + " (" + page.file.filename().string() + ")",
                        "keep pictures of one size in the folder");
     }
-    if (spec.format != shape.format || !input.read_image(page.index, 0, 0, 1, shape.format, out.data())) {
+    constexpr int kFirstChannel = 0;
+    if (spec.format != shape.format ||
+        !input.read_image(page.index, 0, kFirstChannel, kFirstChannel + 1, shape.format, out.data())) {
         context.refuse(page.file.filename().string() + " is damaged (" + input.geterror().substr(0, 200) + ")",
                        "copy or export it anew");
     }
@@ -299,7 +301,7 @@ StoredVolume readPictures(Context& context) {
     stored.type = shape.type;
     const std::array<std::int64_t, 4> all = {shape.width, shape.height, static_cast<std::int64_t>(pages.size()),
                                              shape.channels};
-    const std::uint64_t count = checkedVoxels(context, all, shape.type);
+    checkedVoxels(context, all, shape.type);
     stored.dims = checkedDims(context, std::span(all).first(3), shape.type);
     const auto components = static_cast<std::uint64_t>(shape.channels);
     expectComponents(context, components, std::to_string(components) + " colours per pixel");
@@ -308,9 +310,9 @@ StoredVolume readPictures(Context& context) {
         stored.axesMm[i] *= spacing[i];
     }
     checkGeometry(context, stored);
+    const std::uint64_t count = checkedVoxels(context, std::span(all).first(3), shape.type); // of the first channel
     stored.values = ByteBuffer(count * bytesPerScalar(shape.type));
     readPages(context, pages, shape, stored.values);
-    keepFirstComponent(stored, components);
     const bool tiff = lowered(files[0].extension().string()).starts_with(".tif");
     context.report.format = files.size() > 1   ? (tiff ? "TIFF stack" : "PNG stack")
                             : pages.size() > 1 ? "multi-page TIFF"

@@ -255,7 +255,9 @@ void straighten(StoredVolume& stored, const Resampling& resampling, Context& con
     constexpr double kRounding = 1e-3; // voxels: what headers in single precision and short text leave
     constexpr double kHalfVoxel = 0.5;
     if (deviation.inPlaneVoxels < kRounding && deviation.alongVoxels < kRounding) {
-        takeAsStraight(stored, frame);
+        if (!stored.sliceOrigins.empty()) { // else the header's own numbers stay as they are, to the last bit
+            takeAsStraight(stored, frame);
+        }
         return;
     }
     const double worst = std::max(deviation.inPlaneVoxels, deviation.alongVoxels);
