@@ -152,10 +152,10 @@ void Planner::Cache::packAtlas(RenderPlan& plan) {
     if (spheres.empty()) {
         return;
     }
-    // The finest structure worth resolving is a ball of about 50 voxels across; over one pixel of it the normal turns
+    // The finest structure worth resolving is a ball of about 64 voxels across; over one pixel of it the normal turns
     // by footprint / radius, which spans that many texels of the sphere's radius (spec style-transfer-functions.md 7).
     // (Twice as fine costs a style up to 60 % more time: several spheres then no longer fit the second-level cache.)
-    constexpr double radiusVoxels = 25;
+    constexpr double radiusVoxels = 32;
     const double turn =
         plan.rays.footprintMm / plan.subPixels / (radiusVoxels * plan.volume->grid().smallestSpacingMm());
     const double texels = 2 / std::max(turn, 1e-6); // beyond any picture's size
