@@ -23,11 +23,14 @@ using testing::gridOf;
 using testing::makeVolume;
 using VolumePointer = std::shared_ptr<const Volume>;
 
+/// A fixed pattern in the place of noise: 0..4.
+int grain(glm::ivec3 v) { return (v.x * 7 + v.y * 13 + v.z * 29) % 5; }
+
 VolumePointer branches() { // thin crossing rods in an empty volume
     return makeVolume<std::uint8_t>(gridOf({128, 128, 128}), VoxelType::uint8, [](glm::ivec3 v) {
         const double a = std::hypot(v.x - v.y, v.z - 64.0);
         const double b = std::hypot(v.x + v.y - 128, v.z - 60.0 - 0.2 * v.x);
-        return std::min(a, b) < 2.5 ? 200 : 3;
+        return (std::min(a, b) < 2.5 ? 200 : 3) + grain(v);
     });
 }
 
@@ -43,7 +46,7 @@ VolumePointer block(double noiseSigma) { // a made part: a box with a round hole
 
 VolumePointer blob() {
     return makeVolume<std::uint8_t>(gridOf({64, 64, 64}), VoxelType::uint8, [](glm::ivec3 v) {
-        return 128 - 127 * std::clamp((std::hypot(v.x - 32, v.y - 30, v.z - 34) - 20) / 2, -1.0, 1.0);
+        return 128 - 120 * std::clamp((std::hypot(v.x - 32, v.y - 30, v.z - 34) - 20) / 2, -1.0, 1.0) + grain(v);
     });
 }
 
@@ -53,6 +56,9 @@ TEST(ScanFacts, TellsScansApart) {
     EXPECT_EQ(kind(branches()), ScanKind::vessels);
     EXPECT_EQ(kind(block(6)), ScanKind::machined);
     EXPECT_EQ(kind(blob()), ScanKind::specimen);
+    EXPECT_EQ(kind(makeVolume<std::uint8_t>(gridOf({60, 50, 40}), VoxelType::uint8,
+                                            [](glm::ivec3 v) { return v.x < 15 ? 0 : v.y / 10 + 1; })),
+              ScanKind::labels);
     EXPECT_EQ(kind(makeVolume<std::uint8_t>(gridOf({9, 9, 9}), VoxelType::uint8, [](glm::ivec3) { return 4; })),
               ScanKind::constant);
     EXPECT_EQ(kind(makeVolume<std::uint8_t>(gridOf({9, 9, 1}), VoxelType::uint8, [](glm::ivec3 v) { return v.x; })),
