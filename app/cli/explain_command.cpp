@@ -98,8 +98,9 @@ std::string explanationText(const Explanation& e) {
 } // namespace
 
 void ExplainCommand::declare(CLI::App& app) {
-    app.description("Shows the render plan of a figure: what it uses and why, what is left out, the memory it holds\n"
-                    "and the time each part takes, estimated and measured on this machine.");
+    app.description("Shows what a figure uses and what that costs\n"
+                    "The render plan: what is in it and why, what is left out, the memory it holds and the\n"
+                    "time of each part, estimated and measured on this machine.");
     app.footer(kExamples);
     figure_.declareInput(app, "FIGURE-or-VOLUME", "A .limner project, a figure.json or a scan");
     figure_.declareLook(app);

@@ -65,9 +65,10 @@ void FigureOptions::declareLook(CLI::App& app) {
                    "sides)")
         ->option_text("SIDE");
     app.add_option("--set", settings_,
-                   "Set any value of the figure, for example /camera/height_mm=120 or /layers/0/opacity=0.5; VALUE is "
+                   "Set any value of the figure by its JSON pointer, for example /camera/height_mm=120 or "
+                   "/layers/0/opacity=0.5; VALUE is "
                    "JSON, else text; null removes a part; repeatable")
-        ->option_text("/POINTER=VALUE")
+        ->option_text("KEY=VALUE")
         ->expected(1)
         ->take_all();
 }

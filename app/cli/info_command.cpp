@@ -194,9 +194,10 @@ std::string projectText(const Facts& f) {
 } // namespace
 
 void InfoCommand::declare(CLI::App& app) {
-    app.description("Shows what a scan or a project holds: format, size, spacing, orientation, values, what was\n"
-                    "repaired while reading; of a project its parts. Space is LPS in mm (x to the patient's left,\n"
-                    "y to the back, z to the head).");
+    app.description("Shows what a scan or a project holds\n"
+                    "Of a scan: format, size, spacing, orientation, values and what was repaired while\n"
+                    "reading; of a project: its parts. Space is LPS in mm (x to the patient's left, y to\n"
+                    "the back, z to the head).");
     app.footer(kExamples);
     figure_.declareInput(app, "FILE",
                          "A scan of any format that `limner render` reads, a .limner project or a "

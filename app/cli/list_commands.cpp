@@ -50,8 +50,8 @@ std::string join(const std::vector<std::string>& words) {
 } // namespace
 
 void StyleListCommand::declare(CLI::App& app) {
-    app.description("Lists the bundled lit-sphere styles: id, name and what they suit. The id is what a figure's\n"
-                    "nodes refer to.");
+    app.description("Lists the bundled lit-sphere styles\n"
+                    "Id, name and what they suit. The id is what a figure's nodes refer to.");
     app.footer("Examples:\n  limner style list\n  limner style list --json\n");
 }
 
@@ -77,7 +77,8 @@ int StyleListCommand::run(Console& console) {
 }
 
 void PresetListCommand::declare(CLI::App& app) {
-    app.description("Lists the bundled presets: name for --preset, the kind of scan, and what it shows.");
+    app.description("Lists the bundled presets\n"
+                    "The name for --preset, the kind of scan, and what it shows.");
     app.footer("Examples:\n  limner preset list\n  limner preset list --json\n");
 }
 

@@ -42,7 +42,7 @@ std::vector<std::byte> thumbnailOf(const Figure& figure, Task& task) {
 } // namespace
 
 void NewCommand::declare(CLI::App& app) {
-    app.description("Makes a project from a scan and a preset.\n"
+    app.description("Makes a project from a scan and a preset\n"
                     "The project refers to the scan by its path and checksum, or holds it with --embed.");
     app.footer(kExamples);
     figure_.declareInput(app, "VOLUME", "A scan of any format that `limner render` reads");

@@ -2,6 +2,7 @@
 
 #include "app/cli/console.h"
 #include "app/cli/explain_command.h"
+#include "app/cli/help_formatter.h"
 #include "app/cli/info_command.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/list_commands.h"
@@ -43,16 +44,14 @@ class Parser {
         app_.set_version_flag("--version", "limner " LIMNER_VERSION, "Show the version");
         app_.set_help_flag("-h,--help", "Show this help");
         app_.require_subcommand(1);
-        app_.get_formatter()->column_width(28);
-        app_.get_formatter()->label("OPTIONS", "[OPTIONS]");
-        add(app_, "render", std::make_unique<RenderCommand>(), "Render a figure or a scan to a picture file");
-        add(app_, "new", std::make_unique<NewCommand>(), "Make a project from a scan");
-        add(app_, "info", std::make_unique<InfoCommand>(), "Show what a scan or a project holds");
-        add(app_, "validate", std::make_unique<ValidateCommand>(), "Check a figure, with the mend for each problem");
-        add(app_, "explain", std::make_unique<ExplainCommand>(), "Show what a figure uses and what it costs");
-        add(*group("style", "Lit-sphere styles"), "list", std::make_unique<StyleListCommand>(),
-            "List the bundled styles");
-        add(*group("preset", "Presets"), "list", std::make_unique<PresetListCommand>(), "List the bundled presets");
+        app_.formatter(makeHelpFormatter());
+        add(app_, "render", std::make_unique<RenderCommand>());
+        add(app_, "new", std::make_unique<NewCommand>());
+        add(app_, "info", std::make_unique<InfoCommand>());
+        add(app_, "validate", std::make_unique<ValidateCommand>());
+        add(app_, "explain", std::make_unique<ExplainCommand>());
+        add(*group("style", "Lists the lit-sphere styles (style list)"), "list", std::make_unique<StyleListCommand>());
+        add(*group("preset", "Lists the presets (preset list)"), "list", std::make_unique<PresetListCommand>());
     }
 
     /// Throws CLI::Error.
@@ -94,13 +93,13 @@ class Parser {
     };
 
     CLI::App* group(const std::string& name, const std::string& help) {
-        CLI::App* app = app_.add_subcommand(name, help);
+        CLI::App* app = app_.add_subcommand(name, help)->group("Commands");
         app->require_subcommand(1);
         return app;
     }
 
-    void add(CLI::App& parent, const std::string& name, std::unique_ptr<Command> command, const std::string& summary) {
-        CLI::App* app = parent.add_subcommand(name, summary);
+    void add(CLI::App& parent, const std::string& name, std::unique_ptr<Command> command) {
+        CLI::App* app = parent.add_subcommand(name)->group("Commands");
         command->declare(*app);
         app->add_flag("--quiet", console_.quiet, "Only errors: no progress, no notes");
         app->add_flag("--json", console_.json,

@@ -51,7 +51,7 @@ std::size_t pictureBudget(std::uint64_t memory, const RenderPlan& plan) {
 } // namespace
 
 void RenderCommand::declare(CLI::App& app) {
-    app.description("Renders a figure, a project or a scan to a picture file.\n"
+    app.description("Renders a figure, a project or a scan to a picture\n"
                     "A scan needs nothing else: the preset auto makes a figure of it.");
     app.footer(kExamples);
     figure_.declareInput(app, "FIGURE-or-VOLUME",

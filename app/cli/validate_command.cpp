@@ -24,9 +24,9 @@ constexpr const char* kExamples = R"(Examples:
 } // namespace
 
 void ValidateCommand::declare(CLI::App& app) {
-    app.description("Checks a project or a figure.json: types, ranges, unknown keys, and what makes no sense. Each\n"
-                    "problem comes with its JSON pointer and the mend. Exit code 3 where a problem keeps the figure\n"
-                    "from being drawn.");
+    app.description("Checks a figure and names the mend for each problem\n"
+                    "Looks at types, ranges, unknown keys and what makes no sense. Each problem comes with\n"
+                    "its JSON pointer. Exit code 3 where one keeps the figure from being drawn.");
     app.footer(kExamples);
     app.add_option("FIGURE", file_, "A .limner project or a figure.json")->required()->option_text(" ");
 }

@@ -1,12 +1,10 @@
 #include "core/project/figure_text.h"
 
 #include "core/base/error.h"
-
-#include <zip.h>
+#include "core/project/archive.h"
 
 #include <cstdint>
 #include <fstream>
-#include <memory>
 
 namespace limner {
 
@@ -37,30 +35,12 @@ std::string textOfFile(const std::filesystem::path& path) {
 }
 
 std::string textInProject(const std::filesystem::path& path) {
-    int code = 0;
-    const std::unique_ptr<zip_t, decltype(&zip_discard)> archive(zip_open(path.c_str(), ZIP_RDONLY, &code),
-                                                                 &zip_discard);
-    if (!archive) {
-        zip_error_t error;
-        zip_error_init_with_code(&error, code);
-        const std::string why = zip_error_strerror(&error);
-        zip_error_fini(&error);
-        fail(path, why);
+    const Archive archive(path);
+    const ArchiveEntry* figure = archive.find("figure.json");
+    if (figure == nullptr) {
+        fail(path, "it holds no figure.json", "is it a Limner project?");
     }
-    zip_stat_t entry;
-    if (zip_stat(archive.get(), "figure.json", 0, &entry) != 0 || (entry.valid & ZIP_STAT_SIZE) == 0) {
-        fail(path, "there is no figure.json in it", "is it a Limner project?");
-    }
-    if (entry.size > kLargest) {
-        fail(path, "its figure.json is larger than any figure is");
-    }
-    const std::unique_ptr<zip_file_t, decltype(&zip_fclose)> file(zip_fopen(archive.get(), "figure.json", 0),
-                                                                  &zip_fclose);
-    std::string text(entry.size, '\0');
-    if (!file || zip_fread(file.get(), text.data(), text.size()) != static_cast<zip_int64_t>(text.size())) {
-        fail(path, "its figure.json cannot be unpacked", "an older copy may lie beside it as NAME.limner~");
-    }
-    return text;
+    return archive.read(*figure);
 }
 
 } // namespace
@@ -70,7 +50,7 @@ std::string readFigureText(const std::filesystem::path& path) {
     if (!std::filesystem::is_regular_file(path, ignored)) {
         fail(path, std::filesystem::exists(path, ignored) ? "it is not a file" : "there is no such file");
     }
-    return path.extension() == ".limner" ? textInProject(path) : textOfFile(path);
+    return looksLikeArchive(path) || path.extension() == ".limner" ? textInProject(path) : textOfFile(path);
 }
 
 } // namespace limner
