@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <fstream>
 #include <random>
@@ -95,6 +97,10 @@ TEST(SaveFailure, FullDisksLeaveTheOldFile) {
 }
 
 TEST(SaveFailure, NoMoreOpenFilesLeavesTheOldFile) {
+#ifdef __SANITIZE_ADDRESS__
+    // The sanitizers look at memory through a pipe: without one they report objects that are sound.
+    GTEST_SKIP() << "not with sanitizers, which need open files themselves";
+#endif
     const Saved saved;
     for (rlim_t limit = 3; limit < 8; ++limit) {
         const int status = saveElsewhere(saved.path, [&] {
@@ -152,6 +158,13 @@ TEST(SaveFailure, KilledSavesLeaveTheOldOrTheNewFile) {
     constexpr int kRuns = 50;
     const Saved saved;
     std::mt19937 random(20260101);
+    // As long as a few saves take on this machine, so that the blow falls in the first, the second or the third.
+    const auto start = std::chrono::steady_clock::now();
+    Task warmUp;
+    saveDocument(documentOf("old"), saved.path, {}, warmUp);
+    const auto oneSave =
+        std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() - start);
+    const auto longest = static_cast<useconds_t>(std::clamp<std::int64_t>(3 * oneSave.count(), 20000, 900000));
     int old = 0;
     int fresh = 0;
     for (int run = 0; run < kRuns; ++run) {
@@ -163,7 +176,7 @@ TEST(SaveFailure, KilledSavesLeaveTheOldOrTheNewFile) {
                 saveDocument(documentOf("old"), saved.path, {}, task);
             }
         }
-        usleep(std::uniform_int_distribution<useconds_t>(500, 60000)(random));
+        usleep(std::uniform_int_distribution<useconds_t>(500, longest)(random));
         kill(child, SIGKILL);
         waitpid(child, nullptr, 0);
         Task task;
