@@ -171,6 +171,8 @@ int reportFailures(Console& console, const Work& work) {
 
 int runProgram(const std::vector<std::string>& arguments, const ProgramStreams& streams) {
     Console console({streams.out, streams.err, streams.terminal});
+    // For errors of the parser too, which stops at the first thing that is wrong.
+    console.json = std::find(arguments.begin(), arguments.end(), "--json") != arguments.end();
     return reportFailures(console, [&] {
         Parser parser(console);
         try {
@@ -184,8 +186,6 @@ int runProgram(const std::vector<std::string>& arguments, const ProgramStreams& 
             console.flush();
             return 0;
         } catch (const CLI::ParseError& error) {
-            // The flag may stand behind what went wrong.
-            console.json = std::find(arguments.begin(), arguments.end(), "--json") != arguments.end();
             throw parser.usageError(error);
         }
         return runParsed(parser, console);

@@ -56,7 +56,8 @@ void RenderCommand::declare(CLI::App& app) {
     app.footer(kExamples);
     figure_.declareInput(app, "FIGURE-or-VOLUME",
                          "A .limner project, a figure.json, or a scan: DICOM folder or file, .nii(.gz), .hdr/.img, "
-                         ".nrrd, .nhdr, .mha, .mhd, .vti, .vtk, a TIFF or PNG stack, .inv3");
+                         ".nrrd, .nhdr, .mha, .mhd, .vti, .vtk, a TIFF or PNG stack, .inv3; builtin:head is a head "
+                         "that comes with Limner");
     declarePicture(app);
     figure_.declareLook(app);
     figure_.declareSize(app);

@@ -12,7 +12,8 @@ void checkKnown(const std::vector<std::string>& known, const std::string& word, 
         return;
     }
     std::string remedy;
-    const std::string nearest = description::nearestWord(word, known);
+    constexpr std::size_t kFew = 8; // as many are read at a glance
+    const std::string nearest = known.size() > kFew ? description::nearestWord(word, known) : "";
     if (!nearest.empty()) {
         remedy = "did you mean " + nearest + "?";
     } else {
