@@ -1,1 +1,30 @@
-int main() { return 0; }
+#include "app/studio/main_window.h"
+#include "app/studio/studio_theme.h"
+
+#include <QApplication>
+#include <QCommandLineParser>
+
+int main(int argc, char** argv) {
+    QApplication application(argc, argv);
+    QApplication::setOrganizationName("Limner");
+    QApplication::setApplicationName("limner-studio");
+    QApplication::setApplicationDisplayName("Limner Studio");
+    QApplication::setApplicationVersion(LIMNER_VERSION);
+    limner::applyStudioTheme(application);
+
+    QCommandLineParser arguments;
+    arguments.setApplicationDescription(
+        QCoreApplication::translate("main", "Makes print-ready illustrations of CT and MR scans."));
+    arguments.addHelpOption();
+    arguments.addVersionOption();
+    arguments.addPositionalArgument(
+        "file", QCoreApplication::translate("main", "A scan, a folder of slices, a project or a figure to open."),
+        "[file]");
+    arguments.process(application);
+
+    limner::MainWindow window(limner::makeEngine());
+    window.show();
+    if (!arguments.positionalArguments().isEmpty())
+        window.openPath(arguments.positionalArguments().front().toStdString());
+    return QApplication::exec();
+}

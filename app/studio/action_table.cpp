@@ -1,0 +1,84 @@
+#include "app/studio/action_table.h"
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QKeySequence>
+#include <QMainWindow>
+
+#include <cassert>
+
+namespace limner {
+namespace {
+
+#define TEXT(words) QT_TRANSLATE_NOOP("Actions", words)
+
+constexpr ActionRow kActions[] = {
+    {"file.open", TEXT("&Open…"), TEXT("Open a scan, a project or a figure"), "Ctrl+O", TEXT("Open")},
+    {"file.open-folder", TEXT("Open &folder of slices…"),
+     TEXT("Open a folder with a DICOM series or a stack of pictures"), "Ctrl+Shift+O", ""},
+    {"file.sample", TEXT("Open s&ample head"), TEXT("Open the built-in head, to try things out"), "", ""},
+    {"file.recent", TEXT("Open &recent"), TEXT("Scans and projects that were open lately"), "", ""},
+    {"file.-1", "", "", "", ""},
+    {"file.save", TEXT("&Save"), TEXT("Save the project"), "Ctrl+S", TEXT("Save")},
+    {"file.save-as", TEXT("Save &as…"), TEXT("Save the project under another name"), "Ctrl+Shift+S", ""},
+    {"file.-2", "", "", "", ""},
+    {"file.export", TEXT("&Export picture…"), TEXT("Write the figure as a picture with a size in millimetres"),
+     "Ctrl+E", TEXT("Export")},
+    {"file.-3", "", "", "", ""},
+    {"file.close", TEXT("&Close"), TEXT("Close the document"), "Ctrl+W", ""},
+    {"file.quit", TEXT("&Quit"), TEXT("Leave Limner Studio"), "Ctrl+Q", ""},
+    {"edit.undo", TEXT("&Undo"), TEXT("Take back the last change"), "Ctrl+Z", TEXT("Undo")},
+    {"edit.redo", TEXT("&Redo"), TEXT("Repeat what was taken back"), "Ctrl+Shift+Z", TEXT("Redo")},
+    {"edit.-1", "", "", "", ""},
+    {"edit.copy-picture", TEXT("&Copy picture"), TEXT("Copy the shown picture to the clipboard"), "Ctrl+Shift+C", ""},
+    {"view.anterior", TEXT("&Anterior"), TEXT("Look at the patient's front"), "1", TEXT("Front")},
+    {"view.posterior", TEXT("&Posterior"), TEXT("Look at the patient's back"), "2", TEXT("Back")},
+    {"view.left", TEXT("&Left"), TEXT("Look at the patient's left side"), "3", TEXT("Left")},
+    {"view.right", TEXT("&Right"), TEXT("Look at the patient's right side"), "4", TEXT("Right")},
+    {"view.superior", TEXT("&Superior"), TEXT("Look from above the head"), "5", TEXT("Above")},
+    {"view.inferior", TEXT("&Inferior"), TEXT("Look from below the feet"), "6", TEXT("Below")},
+    {"view.three-quarter", TEXT("&Three-quarter"), TEXT("Look from the front, turned and from a little above"), "0",
+     TEXT("3/4")},
+    {"view.-1", "", "", "", ""},
+    {"view.fit", TEXT("&Fit"), TEXT("Fill the sheet with what is visible"), "F", TEXT("Fit")},
+    {"view.zoom-in", TEXT("Zoom &in"), TEXT("Show a smaller part, larger"), "Ctrl++", ""},
+    {"view.zoom-out", TEXT("Zoom &out"), TEXT("Show more, smaller"), "Ctrl+-", ""},
+    {"view.-2", "", "", "", ""},
+    {"view.free-turning", TEXT("Turn freel&y"), TEXT("Turn about any axis instead of keeping the horizon level"), "",
+     ""},
+    {"help.about", TEXT("&About Limner"), TEXT("Version and licence"), "", ""},
+};
+
+#undef TEXT
+
+QString translated(const char* text) { return QCoreApplication::translate("Actions", text); }
+
+} // namespace
+
+std::span<const ActionRow> actionTable() { return kActions; }
+
+Actions::Actions(QMainWindow* window) : QObject(window) {
+    for (const ActionRow& row : actionTable()) {
+        auto* action = new QAction(*row.text ? translated(row.text) : QString(), window);
+        action->setObjectName(row.id);
+        action->setSeparator(!*row.text);
+        if (*row.text) {
+            const QKeySequence keys(row.shortcut, QKeySequence::PortableText);
+            const QString tip = translated(row.tip);
+            action->setShortcut(keys);
+            action->setToolTip(keys.isEmpty() ? tip : tr("%1 (%2)").arg(tip, keys.toString(QKeySequence::NativeText)));
+            action->setStatusTip(tip);
+            if (*row.brief)
+                action->setIconText(translated(row.brief));
+        }
+        actions_.insert(row.id, action);
+    }
+}
+
+QAction* Actions::at(const QString& id) const {
+    QAction* action = actions_.value(id);
+    assert(action);
+    return action;
+}
+
+} // namespace limner

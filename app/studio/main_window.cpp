@@ -1,0 +1,321 @@
+#include "app/studio/main_window.h"
+
+#include "app/studio/welcome_page.h"
+#include "core/figure/figure_json.h"
+#include "widgets/job.h"
+#include "widgets/layer_list.h"
+#include "widgets/notice_bar.h"
+#include "widgets/picture_feed.h"
+#include "widgets/preset_menu.h"
+#include "widgets/progress_strip.h"
+#include "widgets/style_gallery.h"
+#include "widgets/transfer_editor_1d.h"
+#include "widgets/viewport.h"
+
+#include <QDockWidget>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QLocale>
+#include <QMenuBar>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <iterator>
+#include <utility>
+
+namespace limner {
+namespace {
+
+constexpr QSize kFirstSize(1400, 900);
+constexpr int kGalleryWidth = 226; // two styles side by side
+constexpr int kPanelWidth = 390;
+
+QDockWidget* dock(QMainWindow* window, const char* name, const QString& title, QWidget* content,
+                  Qt::DockWidgetArea area) {
+    auto* result = new QDockWidget(title, window);
+    result->setObjectName(name); // saved layouts go by it
+    result->setWidget(content);
+    result->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable |
+                        QDockWidget::DockWidgetClosable);
+    window->addDockWidget(area, result);
+    return result;
+}
+
+} // namespace
+
+Engine makeEngine() {
+    auto planner = std::make_shared<Planner>();
+    return {[planner](const Figure& figure, const PlanRequest& request, Task& task) {
+                return planner->plan(figure, request, task);
+            },
+            [] { return makeCpuBackend(); }};
+}
+
+MainWindow::MainWindow(Engine engine)
+    : engine_(std::move(engine)), exporter_(engine_.makeBackend()), document_(new StudioDocument(this)),
+      actions_(new Actions(this)), feed_(new PictureFeed(engine_.plan, engine_.makeBackend(), this)) {
+    setObjectName("studio");
+    setAcceptDrops(true);
+    buildPanels();
+    buildMenus();
+    buildToolBar();
+    buildStatusBar();
+    connectActions();
+    connectPanels();
+    connect(document_, &StudioDocument::changed, this, &MainWindow::documentChanged);
+    connect(feed_, &PictureFeed::arrived, this, &MainWindow::pictureArrived);
+    connect(feed_, &PictureFeed::failed, this, [this](const Error& error) {
+        notices_->setNotices({QString::fromUtf8(error.what())}, NoticeBar::Kind::problem);
+    });
+    connect(feed_, &PictureFeed::preparing, progress_, qOverload<const QString&, double>(&ProgressStrip::show));
+    resize(kFirstSize);
+    showRecent();
+    documentChanged();
+    loadResources();
+}
+
+MainWindow::~MainWindow() {
+    // Workers first: they hold what the members below give them.
+    for (Job* job : findChildren<Job*>())
+        delete job;
+    delete feed_;
+}
+
+void MainWindow::buildPanels() {
+    pages_ = new QStackedWidget;
+    welcome_ = new WelcomePage;
+    viewport_ = new Viewport;
+    notices_ = new NoticeBar;
+    pages_->addWidget(welcome_);
+    pages_->addWidget(viewport_);
+    auto* centre = new QWidget;
+    auto* layout = new QVBoxLayout(centre);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(notices_);
+    layout->addWidget(pages_, 1);
+    setCentralWidget(centre);
+
+    layers_ = new LayerList;
+    transfer_ = new TransferEditor1d;
+    gallery_ = new StyleGallery;
+    QDockWidget* gallery = dock(this, "dock.styles", tr("Styles"), gallery_, Qt::LeftDockWidgetArea);
+    QDockWidget* layers = dock(this, "dock.layers", tr("Layers"), layers_, Qt::RightDockWidgetArea);
+    QDockWidget* transfer = dock(this, "dock.transfer", tr("Transfer function"), transfer_, Qt::RightDockWidgetArea);
+    resizeDocks({gallery, layers}, {kGalleryWidth, kPanelWidth}, Qt::Horizontal);
+    resizeDocks({layers, transfer}, {260, 420}, Qt::Vertical);
+    QWidget* const order[] = {viewport_, gallery_->search(), gallery_->list(), layers_->list(), transfer_->canvas()};
+    for (std::size_t i = 1; i < std::size(order); ++i)
+        setTabOrder(order[i - 1], order[i]);
+}
+
+void MainWindow::buildMenus() {
+    presets_ = new PresetMenu(this);
+    QHash<QString, QMenu*> menus;
+    const auto add = [&](const QString& id, const QString& title) { menus[id] = menuBar()->addMenu(title); };
+    add("file", tr("&File"));
+    add("edit", tr("&Edit"));
+    add("view", tr("&View"));
+    menuBar()->addMenu(presets_);
+    add("panels", tr("Pa&nels"));
+    add("help", tr("&Help"));
+    for (const ActionRow& row : actionTable()) {
+        const QString id = row.id;
+        menus[id.section('.', 0, 0)]->addAction(actions_->at(id));
+    }
+    for (const QDockWidget* panel : findChildren<QDockWidget*>())
+        menus["panels"]->addAction(panel->toggleViewAction());
+    recent_ = new QMenu(this);
+    actions_->at("file.recent")->setMenu(recent_);
+    actions_->at("view.free-turning")->setCheckable(true);
+}
+
+void MainWindow::buildToolBar() {
+    auto* bar = new QToolBar(tr("Main tool bar"), this);
+    bar->setObjectName("toolbar.main");
+    bar->setMovable(false);
+    bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    bar->setContextMenuPolicy(Qt::PreventContextMenu);
+    addToolBar(bar);
+    QString menu;
+    for (const ActionRow& row : actionTable()) {
+        if (!*row.brief)
+            continue;
+        const QString of = QString(row.id).section('.', 0, 0);
+        if (!menu.isEmpty() && of != menu) {
+            bar->addSeparator();
+            if (of == "view") { // looks go between history and views
+                auto* button = new QToolButton;
+                button->setText(tr("Preset"));
+                button->setToolTip(tr("Lay a ready-made look over the figure"));
+                button->setMenu(presets_);
+                button->setPopupMode(QToolButton::InstantPopup);
+                presetButton_ = button;
+                bar->addWidget(button);
+                bar->addSeparator();
+            }
+        }
+        menu = of;
+        bar->addAction(actions_->at(row.id));
+    }
+}
+
+void MainWindow::buildStatusBar() {
+    progress_ = new ProgressStrip;
+    facts_ = new QLabel;
+    facts_->setAccessibleName(tr("What the picture is"));
+    facts_->setContentsMargins(8, 0, 8, 0);
+    statusBar()->addPermanentWidget(progress_);
+    statusBar()->addPermanentWidget(facts_);
+}
+
+void MainWindow::connectActions() {
+    const auto on = [this](const char* id, auto handler) {
+        connect(actions_->at(id), &QAction::triggered, this, handler);
+    };
+    on("file.open", [this] { chooseAndOpen(); });
+    on("file.open-folder", [this] { chooseFolderAndOpen(); });
+    on("file.sample", [this] { openSample(); });
+    on("file.save", [this] { save(); });
+    on("file.save-as", [this] { saveAs(); });
+    on("file.export", [this] { chooseAndExport(); });
+    on("file.close", [this] { afterChangesAreSafe([this] { document_->close(); }); });
+    on("file.quit", [this] { close(); });
+    on("edit.undo", [this] { document_->undo(); });
+    on("edit.redo", [this] { document_->redo(); });
+    on("edit.copy-picture", [this] { copyPicture(); });
+    const std::pair<const char*, StandardView> sides[] = {{"view.anterior", StandardView::anterior},
+                                                          {"view.posterior", StandardView::posterior},
+                                                          {"view.left", StandardView::left},
+                                                          {"view.right", StandardView::right},
+                                                          {"view.superior", StandardView::superior},
+                                                          {"view.inferior", StandardView::inferior},
+                                                          {"view.three-quarter", StandardView::threeQuarter}};
+    for (const auto& [id, side] : sides)
+        on(id, [this, view = side] { viewport_->showSide(view); });
+    on("view.fit", [this] { viewport_->fit(); });
+    constexpr double kZoomStep = 0.8;
+    on("view.zoom-in", [this] { viewport_->zoomBy(kZoomStep); });
+    on("view.zoom-out", [this] { viewport_->zoomBy(1 / kZoomStep); });
+    on("view.free-turning",
+       [this](bool freely) { viewport_->setTurnMode(freely ? TurnMode::trackball : TurnMode::turntable); });
+    on("help.about", [this] { showAbout(); });
+    connect(presets_, &PresetMenu::chosen, this, &MainWindow::usePreset);
+    connect(welcome_, &WelcomePage::openWanted, this, &MainWindow::chooseAndOpen);
+    connect(welcome_, &WelcomePage::openFolderWanted, this, &MainWindow::chooseFolderAndOpen);
+    connect(welcome_, &WelcomePage::sampleWanted, this, &MainWindow::openSample);
+    connect(welcome_, &WelcomePage::recentWanted, this, [this](const QString& path) { openPath(path.toStdString()); });
+}
+
+void MainWindow::connectPanels() {
+    const auto apply = [this](const Edit& edit) { document_->apply(edit); };
+    connect(viewport_, &Viewport::edited, this, apply);
+    connect(layers_, &LayerList::edited, this, apply);
+    connect(transfer_, &TransferEditor1d::edited, this, apply);
+    connect(gallery_, &StyleGallery::edited, this, apply);
+    connect(viewport_, &Viewport::picturePixelsChanged, this, &MainWindow::wantPicture);
+    connect(layers_, &LayerList::layerSelected, this, [this](std::size_t layer) {
+        transfer_->setFigure(document_->figure(), layer);
+        gallery_->setFigure(document_->figure(), layer, transfer_->selectedNode());
+    });
+    connect(transfer_, &TransferEditor1d::selectionChanged, this,
+            [this] { gallery_->setFigure(document_->figure(), layers_->selectedLayer(), transfer_->selectedNode()); });
+}
+
+void MainWindow::documentChanged() {
+    const std::shared_ptr<const Figure> figure = document_->figure();
+    const bool any = figure != nullptr;
+    pages_->setCurrentWidget(any ? static_cast<QWidget*>(viewport_) : welcome_);
+    for (const char* id : {"file.save", "file.save-as", "file.export", "file.close", "edit.copy-picture",
+                           "view.anterior", "view.posterior", "view.left", "view.right", "view.superior",
+                           "view.inferior", "view.three-quarter", "view.fit", "view.zoom-in", "view.zoom-out"})
+        actions_->at(id)->setEnabled(any);
+    const bool drawable = any && figure->volume && figure->volume->data;
+    presets_->setEnabled(drawable);
+    presetButton_->setEnabled(drawable);
+    const History& history = document_->history();
+    const auto named = [](const QString& verb, const std::string& label) {
+        return label.empty() ? verb : tr("%1 “%2”").arg(verb, QString::fromStdString(label));
+    };
+    for (const auto& [id, can, verb, label] :
+         {std::tuple{"edit.undo", any && history.canUndo(), tr("&Undo"), history.undoLabel()},
+          std::tuple{"edit.redo", any && history.canRedo(), tr("&Redo"), history.redoLabel()}}) {
+        QAction* action = actions_->at(id);
+        const QString brief = action->iconText();
+        action->setEnabled(can);
+        action->setText(named(verb, can ? label : std::string()));
+        action->setIconText(brief);
+    }
+    layers_->setFigure(figure);
+    transfer_->setFigure(figure, layers_->selectedLayer());
+    gallery_->setFigure(figure, layers_->selectedLayer(), transfer_->selectedNode());
+    viewport_->setFigure(figure);
+    showTitle();
+    wantPicture();
+}
+
+void MainWindow::showTitle() {
+    const QString program = tr("Limner Studio");
+    setWindowTitle(document_->empty() ? program : tr("%1[*] – %2").arg(document_->name(), program));
+    setWindowModified(document_->dirty());
+}
+
+void MainWindow::wantPicture() {
+    const std::shared_ptr<const Figure> figure = document_->figure();
+    const QSize pixels = viewport_->picturePixels();
+    const bool draft = document_->gestureOngoing();
+    if (!figure || !viewport_->isVisible()) {
+        feed_->clear();
+        wanted_.reset();
+        facts_->clear();
+        return;
+    }
+    const bool same = wanted_ && wantedPixels_ == pixels && wantedDraft_ == draft &&
+                      (wanted_ == figure || diff(*wanted_, *figure) == ChangeCost::none);
+    if (same)
+        return;
+    wanted_ = figure;
+    wantedPixels_ = pixels;
+    wantedDraft_ = draft;
+    feed_->want(figure, pixels, draft);
+}
+
+void MainWindow::pictureArrived(const ScreenPicture& picture) {
+    const auto figure = document_->figure();
+    const bool ours = figure && figure->volume && picture.plan->figure->volume &&
+                      picture.plan->figure->volume->data == figure->volume->data;
+    if (!ours) // of a document that has been closed since
+        return;
+    progress_->show({}, 1);
+    viewport_->setPicture(picture);
+    showFacts(picture);
+}
+
+void MainWindow::showFacts(const ScreenPicture& picture) {
+    const PictureFacts& facts = picture.facts;
+    const double rays = picture.image.width() * 1e-6 * picture.image.height();
+    const int perPixel = std::max(1, facts.coarseness.subPixels * facts.coarseness.subPixels);
+    if (facts.coarseness.stepScale == 1)
+        secondsPerMegaPixel_ = facts.renderMs * 1e-3 / std::max(rays * perPixel, 1e-9);
+    QString text = tr("%1 · %2 × %3 · %4 ms · %5 M samples · %6")
+                       .arg(QString::fromStdString(facts.backend))
+                       .arg(picture.image.width())
+                       .arg(picture.image.height())
+                       .arg(facts.renderMs, 0, 'f', 0)
+                       .arg(QLocale().toString(static_cast<double>(facts.samples) * 1e-6, 'f', 1),
+                            facts.final ? tr("final") : tr("draft"));
+    QString tip = tr("Backend, pixels, time and samples of the shown picture");
+    if (!facts.warnings.empty()) {
+        text += tr(" · %n notice(s)", nullptr, static_cast<int>(facts.warnings.size()));
+        for (const std::string& warning : facts.warnings)
+            tip += "\n• " + QString::fromStdString(warning);
+    }
+    facts_->setText(text);
+    facts_->setToolTip(tip);
+}
+
+} // namespace limner

@@ -1,0 +1,136 @@
+#pragma once
+
+#include "app/studio/action_table.h"
+#include "app/studio/export_dialog.h"
+#include "app/studio/studio_document.h"
+#include "renderer/interactive/render_thread.h"
+
+#include <QMainWindow>
+#include <QPointer>
+
+#include <functional>
+#include <memory>
+
+class QLabel;
+class QStackedWidget;
+class QToolButton;
+
+namespace limner {
+
+class Job;
+class LayerList;
+class NoticeBar;
+class PictureFeed;
+class PresetMenu;
+class ProgressStrip;
+class StyleGallery;
+class TransferEditor1d;
+class Viewport;
+class WelcomePage;
+struct ScreenPicture;
+
+/// What draws: one way of planning, shared by screen and export so that both use the same preparations.
+struct Engine {
+    RenderThread::PlanFunction plan;
+    std::function<std::unique_ptr<const Backend>()> makeBackend;
+};
+
+/// A planner and the CPU backend.
+Engine makeEngine();
+
+/// The studio's window: composes panels, picture and jobs around one document. Nothing long runs on its thread.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+  public:
+    explicit MainWindow(Engine engine);
+    ~MainWindow() override;
+
+    /// Each starts a job and returns; a running one of the same sort is cancelled first.
+    void openPath(const std::filesystem::path& path);
+    void openSample();
+    void savePath(const std::filesystem::path& path);
+    void exportPath(const std::filesystem::path& path, const ExportDialog::Choice& choice);
+    void usePreset(const QString& id, const QString& name);
+
+    [[nodiscard]] StudioDocument& document() { return *document_; }
+    [[nodiscard]] Actions& actions() { return *actions_; }
+    [[nodiscard]] Viewport& viewport() { return *viewport_; }
+    [[nodiscard]] TransferEditor1d& transferEditor() { return *transfer_; }
+    [[nodiscard]] StyleGallery& gallery() { return *gallery_; }
+    [[nodiscard]] LayerList& layers() { return *layers_; }
+    [[nodiscard]] NoticeBar& notices() { return *notices_; }
+    /// Whether a job of the window (import, save, export, preset) is under way.
+    [[nodiscard]] bool busy() const;
+
+    enum class Answer { save, discard, cancel };
+    /// How the user is asked about unsaved changes; replaced by tests.
+    std::function<Answer()> askAboutChanges;
+
+  Q_SIGNALS:
+    void documentOpened();
+    void documentSaved();
+    void pictureExported(const QString& path);
+
+  protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+  private:
+    void buildPanels();
+    void buildMenus();
+    void buildToolBar();
+    void buildStatusBar();
+    void connectActions();
+    void connectPanels();
+    void loadResources();
+
+    void documentChanged();
+    void showTitle();
+    void wantPicture();
+    void pictureArrived(const ScreenPicture& picture);
+    void showFacts(const ScreenPicture& picture);
+
+    void startOpening(const QString& name, std::function<Document(Task&)> load);
+    void chooseAndOpen();
+    void chooseFolderAndOpen();
+    void save();
+    void saveAs();
+    void chooseAndExport();
+    void copyPicture();
+    void showError(const Error& error);
+    void showAbout();
+    Job* startJob(QPointer<Job>& slot, const QString& name, std::function<void(Task&)> work);
+    /// Runs `then` once unsaved changes are saved or given up.
+    void afterChangesAreSafe(std::function<void()> then);
+    [[nodiscard]] std::vector<std::byte> thumbnail() const;
+    void remember(const std::filesystem::path& path);
+    void showRecent();
+
+    Engine engine_;
+    std::shared_ptr<const Backend> exporter_;
+    StudioDocument* document_;
+    Actions* actions_;
+    PictureFeed* feed_;
+    QStackedWidget* pages_;
+    WelcomePage* welcome_;
+    NoticeBar* notices_;
+    Viewport* viewport_;
+    LayerList* layers_;
+    TransferEditor1d* transfer_;
+    StyleGallery* gallery_;
+    PresetMenu* presets_;
+    QToolButton* presetButton_ = nullptr;
+    QMenu* recent_;
+    ProgressStrip* progress_;
+    QLabel* facts_;
+    QPointer<Job> openJob_, saveJob_, exportJob_, presetJob_, resourceJob_;
+    std::shared_ptr<const Figure> wanted_; ///< what the newest request to the feed shows
+    QSize wantedPixels_;
+    bool wantedDraft_ = false;
+    double secondsPerMegaPixel_ = 0;
+    std::function<void()> afterSave_;
+};
+
+} // namespace limner

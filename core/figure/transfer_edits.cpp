@@ -1,0 +1,124 @@
+#include "core/figure/transfer_edits.h"
+
+#include <algorithm>
+#include <cassert>
+#include <set>
+
+namespace limner {
+namespace {
+
+bool isBundled(const StyleEntry& entry) { return entry.file.starts_with("bundled:"); }
+
+/// Id of the style in the figure's list; joins the list where it is missing. A style of the user's own that happens to
+/// have the same id keeps it, and the bundled one gets another.
+std::string joinStyle(Figure& figure, const Style& style) {
+    const std::string file = "bundled:" + style.card.id;
+    for (const StyleEntry& entry : figure.styles)
+        if (entry.file == file || (entry.id == style.card.id && entry.sphere == style.sphere))
+            return entry.id;
+    std::string id = style.card.id;
+    for (int n = 2; figure.findStyle(id); ++n)
+        id = style.card.id + "-" + std::to_string(n);
+    figure.styles.push_back({id, file, style.card.name, style.card.credit, style.card.licence, style.sphere});
+    return id;
+}
+
+void dropUnusedBundledStyles(Figure& figure) {
+    std::set<std::string> used;
+    for (const Layer& layer : figure.layers) {
+        for (const TransferNode& node : layer.transfer.nodes)
+            used.insert(node.style);
+        if (layer.transfer.grid)
+            for (const auto& row : layer.transfer.grid->styles)
+                used.insert(row.begin(), row.end());
+    }
+    std::erase_if(figure.styles, [&](const StyleEntry& entry) { return isBundled(entry) && !used.contains(entry.id); });
+}
+
+double middleOf(const OpacityPoints& points) { return points.empty() ? 0 : (points.front().x + points.back().x) / 2; }
+
+} // namespace
+
+OpacityPoints withPointMoved(OpacityPoints points, std::size_t index, glm::dvec2 to) {
+    assert(index < points.size());
+    const double low = index > 0 ? points[index - 1].x : to.x;
+    const double high = index + 1 < points.size() ? points[index + 1].x : to.x;
+    points[index] = {std::max(low, std::min(high, to.x)), std::clamp(to.y, 0.0, 1.0)};
+    return points;
+}
+
+OpacityPoints withPointsShifted(OpacityPoints points, double by) {
+    for (glm::dvec2& point : points)
+        point.x += by;
+    return points;
+}
+
+AddedPoint withPointAdded(const OpacityPoints& points, glm::dvec2 point) {
+    AddedPoint added{points, 0};
+    const auto place = std::upper_bound(points.begin(), points.end(), point.x,
+                                        [](double value, const glm::dvec2& p) { return value < p.x; });
+    added.index = static_cast<std::size_t>(place - points.begin());
+    point.y = std::clamp(point.y, 0.0, 1.0);
+    added.points.insert(added.points.begin() + (place - points.begin()), point);
+    return added;
+}
+
+OpacityPoints withPointRemoved(OpacityPoints points, std::size_t index) {
+    assert(index < points.size());
+    points.erase(points.begin() + static_cast<std::ptrdiff_t>(index));
+    return points;
+}
+
+OpacityPoints withStepAt(OpacityPoints points, std::size_t index) {
+    assert(index < points.size());
+    const double at = points[index].x;
+    const bool step =
+        (index > 0 && points[index - 1].x == at) || (index + 1 < points.size() && points[index + 1].x == at);
+    if (!step)
+        points.insert(points.begin() + static_cast<std::ptrdiff_t>(index), {at, index > 0 ? points[index - 1].y : 0.0});
+    return points;
+}
+
+TransferNodes withNodeMoved(TransferNodes nodes, std::size_t index, double at) {
+    assert(index < nodes.size());
+    const double low = index > 0 ? nodes[index - 1].at : at;
+    const double high = index + 1 < nodes.size() ? nodes[index + 1].at : at;
+    nodes[index].at = std::max(low, std::min(high, at));
+    return nodes;
+}
+
+std::size_t nodePlace(const TransferNodes& nodes, double at) {
+    return static_cast<std::size_t>(
+        std::count_if(nodes.begin(), nodes.end(), [at](const TransferNode& node) { return node.at <= at; }));
+}
+
+Figure withStyle(const Figure& figure, std::size_t layer, std::optional<std::size_t> node, const Style& style) {
+    assert(layer < figure.layers.size());
+    Figure result = figure;
+    const std::string id = joinStyle(result, style);
+    Layer& changed = result.layers[layer];
+    TransferNodes& nodes = changed.transfer.nodes;
+    if (nodes.empty())
+        nodes.push_back({middleOf(changed.transfer.opacity), id, std::nullopt});
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        if (!node || i == *node) {
+            nodes[i].style = id;
+            nodes[i].rgb.reset();
+        }
+    changed.shading = Shading::style;
+    dropUnusedBundledStyles(result);
+    return result;
+}
+
+Figure withStyleNode(const Figure& figure, std::size_t layer, double at, const Style& style) {
+    assert(layer < figure.layers.size());
+    Figure result = figure;
+    const std::string id = joinStyle(result, style);
+    Layer& changed = result.layers[layer];
+    TransferNodes& nodes = changed.transfer.nodes;
+    nodes.insert(nodes.begin() + static_cast<std::ptrdiff_t>(nodePlace(nodes, at)), {at, id, std::nullopt});
+    changed.shading = Shading::style;
+    return result;
+}
+
+} // namespace limner

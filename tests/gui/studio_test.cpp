@@ -1,0 +1,318 @@
+// The real window, driven by mouse and keys.
+#include "app/studio/main_window.h"
+
+#include "app/studio/studio_theme.h"
+#include "core/volume/phantom.h"
+#include "support/test_data.h"
+#include "widgets/layer_list.h"
+#include "widgets/notice_bar.h"
+#include "widgets/qt_application.h"
+#include "widgets/style_gallery.h"
+#include "widgets/transfer_editor_1d.h"
+#include "widgets/viewport.h"
+
+#include <gtest/gtest.h>
+
+#include <QClipboard>
+#include <QDropEvent>
+#include <QListWidget>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QTest>
+#include <QTimer>
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+
+namespace limner {
+namespace {
+
+using testing::pumpUntil;
+using Kind = TransferCanvas::HandleKind;
+
+/// Notes the longest time between two turns of the event loop.
+class GapProbe : public QObject {
+  public:
+    GapProbe() {
+        clock_.start();
+        timer_.setInterval(1);
+        connect(&timer_, &QTimer::timeout, this, [this] {
+            longest_ = std::max(longest_, clock_.nsecsElapsed() * 1e-6);
+            clock_.restart();
+        });
+        timer_.start();
+    }
+    /// Milliseconds.
+    [[nodiscard]] double longest() const { return longest_; }
+
+  private:
+    QTimer timer_;
+    QElapsedTimer clock_;
+    double longest_ = 0;
+};
+
+struct Studio {
+    Studio() {
+        applyStudioTheme(testing::qtApplication());
+        window = std::make_unique<MainWindow>(makeEngine());
+        window->askAboutChanges = [] { return MainWindow::Answer::discard; };
+        window->show();
+        if (!QTest::qWaitForWindowExposed(window.get()))
+            ADD_FAILURE() << "the window does not show";
+    }
+    [[nodiscard]] const Figure& figure() const { return *window->document().figure(); }
+    [[nodiscard]] bool hasFinal() const {
+        const auto& picture = window->viewport().picture();
+        return picture && picture->facts.final && picture->image.size() == window->viewport().picturePixels();
+    }
+    bool waitForFinal() {
+        return pumpUntil([this] {
+            return hasFinal() && window->viewport().picture()->plan->figure->layers == figure().layers &&
+                   window->viewport().picture()->plan->figure->camera == figure().camera;
+        });
+    }
+    bool openSample() {
+        window->openSample();
+        return pumpUntil([this] { return !window->document().empty(); }) && waitForFinal();
+    }
+    void trigger(const char* id) { window->actions().at(id)->trigger(); }
+    std::unique_ptr<MainWindow> window;
+};
+
+/// Whether the picture shows anything but its background.
+bool showsSomething(const QImage& image) {
+    const QRgb corner = image.pixel(0, 0);
+    int different = 0;
+    for (int y = 0; y < image.height(); y += 4)
+        for (int x = 0; x < image.width(); x += 4)
+            different += image.pixel(x, y) != corner ? 1 : 0;
+    return different > image.width() * image.height() / 16 / 20; // a twentieth of the probes
+}
+
+TEST(Studio, StartsWithWhatCanBeDone) {
+    Studio studio;
+    EXPECT_EQ(studio.window->windowTitle(), "Limner Studio");
+    EXPECT_FALSE(studio.window->actions().at("file.save")->isEnabled());
+    EXPECT_FALSE(studio.window->actions().at("edit.undo")->isEnabled());
+    EXPECT_TRUE(studio.window->actions().at("file.open")->isEnabled());
+}
+
+TEST(Studio, TheActionTableIsWhole) {
+    Studio studio;
+    QStringList shortcuts;
+    for (const ActionRow& row : actionTable()) {
+        const QAction* action = studio.window->actions().at(row.id);
+        if (action->isSeparator())
+            continue;
+        EXPECT_FALSE(action->toolTip().isEmpty()) << row.id;
+        EXPECT_FALSE(action->associatedObjects().isEmpty()) << row.id << " is in no menu";
+        if (!action->shortcut().isEmpty())
+            shortcuts << action->shortcut().toString();
+    }
+    EXPECT_EQ(shortcuts.removeDuplicates(), 0);
+}
+
+TEST(Studio, FromScanToExportAndBack) {
+    Studio studio;
+    GapProbe gaps;
+    QElapsedTimer clock;
+    clock.start();
+    studio.window->openSample();
+    ASSERT_TRUE(pumpUntil([&] { return !studio.window->document().empty(); }));
+    const auto opened = clock.elapsed();
+    ASSERT_TRUE(pumpUntil([&] { return studio.window->viewport().picture().has_value(); }));
+    std::cout << "sample opened after " << opened << " ms, first picture after " << clock.elapsed() << " ms\n";
+    ASSERT_TRUE(studio.waitForFinal());
+    EXPECT_TRUE(showsSomething(studio.window->viewport().picture()->image));
+    EXPECT_FALSE(studio.window->document().dirty());
+    const Figure start = studio.figure();
+    ASSERT_FALSE(start.layers.empty());
+
+    // A preset.
+    studio.window->usePreset("skull", "Skull");
+    ASSERT_TRUE(pumpUntil([&] { return !studio.window->busy(); }));
+    EXPECT_NE(studio.figure().layers, start.layers);
+    EXPECT_EQ(studio.figure().camera, start.camera);
+    EXPECT_TRUE(studio.window->document().dirty());
+    EXPECT_TRUE(studio.window->isWindowModified());
+
+    // Another style, by a click into the gallery.
+    QListWidget* list = studio.window->gallery().list();
+    ASSERT_TRUE(pumpUntil([&] { return list->count() >= 20; })) << "at least twenty bundled styles";
+    const std::string before = studio.figure().layers[0].transfer.nodes.at(0).style;
+    int row = 0;
+    while (list->item(row)->data(Qt::UserRole).toString().toStdString() == before)
+        ++row;
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(row)).center());
+    EXPECT_NE(studio.figure().layers[0].transfer.nodes.at(0).style, before);
+    ASSERT_TRUE(studio.waitForFinal());
+
+    // An opacity point, by a drag; pictures come while it moves.
+    TransferCanvas& canvas = *studio.window->transferEditor().canvas();
+    const auto points = studio.figure().layers[0].transfer.opacity;
+    ASSERT_GE(points.size(), 2U);
+    const QPoint from = canvas.positionOf({Kind::point, points.size() / 2})->toPoint();
+    const std::size_t stepsBefore = studio.window->document().history().position();
+    QTest::mousePress(&canvas, Qt::LeftButton, {}, from);
+    for (int i = 1; i <= 10; ++i) {
+        const QPointF at = from + QPointF(2.0 * i, 3.0 * i);
+        QMouseEvent move(QEvent::MouseMove, at, canvas.mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
+        QApplication::sendEvent(&canvas, &move);
+        QTest::qWait(15);
+    }
+    QTest::mouseRelease(&canvas, Qt::LeftButton, {}, from + QPoint(20, 30));
+    EXPECT_NE(studio.figure().layers[0].transfer.opacity, points);
+    EXPECT_EQ(studio.window->document().history().position(), stepsBefore + 1);
+    ASSERT_TRUE(studio.waitForFinal());
+
+    // A turn with the keys and a standard view.
+    QTest::keyClick(&studio.window->viewport(), Qt::Key_Left);
+    studio.trigger("view.left");
+    EXPECT_EQ(studio.window->viewport().letters().left.substr(0, 1).size(), 1U);
+    ASSERT_TRUE(studio.waitForFinal());
+    EXPECT_EQ(studio.window->viewport().letters(), (EdgeLetters{"A", "P", "S", "I"}));
+    const Figure end = studio.figure();
+
+    // All back, all again.
+    while (studio.window->actions().at("edit.undo")->isEnabled())
+        studio.trigger("edit.undo");
+    EXPECT_EQ(studio.figure(), start);
+    EXPECT_FALSE(studio.window->document().dirty());
+    while (studio.window->actions().at("edit.redo")->isEnabled())
+        studio.trigger("edit.redo");
+    EXPECT_EQ(studio.figure(), end);
+
+    // Save, reopen, compare.
+    const QTemporaryDir folder;
+    const std::filesystem::path project = folder.filePath("head.limner").toStdString();
+    studio.window->savePath(project);
+    ASSERT_TRUE(pumpUntil([&] { return !studio.window->busy(); }));
+    EXPECT_FALSE(studio.window->document().dirty());
+    EXPECT_TRUE(studio.window->windowTitle().startsWith("head.limner"));
+    const unsigned generation = studio.window->document().generation();
+    studio.window->openPath(project);
+    ASSERT_TRUE(pumpUntil([&] { return studio.window->document().generation() != generation; }));
+    const Figure again = studio.figure();
+    EXPECT_EQ(again.layers, end.layers);
+    EXPECT_EQ(again.camera, end.camera);
+    EXPECT_EQ(again.output, end.output);
+    EXPECT_EQ(again.cleanup, end.cleanup);
+    ASSERT_TRUE(again.volume && again.volume->data);
+    ASSERT_TRUE(studio.waitForFinal());
+
+    // Export.
+    const std::filesystem::path png = folder.filePath("head.png").toStdString();
+    ExportDialog::Choice choice;
+    choice.output = {50, 50, 150, false};
+    choice.ending = "png";
+    studio.window->exportPath(png, choice);
+    ASSERT_TRUE(pumpUntil([&] { return !studio.window->busy(); }));
+    const QImage exported(QString::fromStdString(png.string()));
+    EXPECT_EQ(exported.size(), QSize(295, 295));
+    EXPECT_NEAR(exported.dotsPerMeterX(), 150 / 0.0254, 1);
+    EXPECT_TRUE(showsSomething(exported));
+
+    std::cout << "longest gap of the event loop: " << gaps.longest() << " ms\n";
+    EXPECT_LT(gaps.longest(), 1000) << "the window hung";
+}
+
+TEST(Studio, ARealCtOpensWhileTheWindowLives) {
+    const auto path = testing::testData("volumes/cthead_unc.nrrd");
+    if (!path)
+        GTEST_SKIP();
+    Studio studio;
+    GapProbe gaps;
+    QElapsedTimer clock;
+    clock.start();
+    studio.window->openPath(*path);
+    ASSERT_TRUE(pumpUntil([&] { return studio.window->viewport().picture().has_value(); }));
+    std::cout << "first picture of a CT after " << clock.elapsed() << " ms\n";
+    ASSERT_TRUE(studio.waitForFinal());
+    std::cout << "final after " << clock.elapsed() << " ms; longest gap " << gaps.longest() << " ms\n";
+    EXPECT_LT(gaps.longest(), 1000) << "the window hung";
+
+    // From an edit to its first picture, as the render thread counts it.
+    std::vector<double> times;
+    for (int i = 0; i < 20; ++i) {
+        const auto* before = studio.window->viewport().picture()->plan.get();
+        QTest::keyClick(&studio.window->viewport(), i % 2 ? Qt::Key_Left : Qt::Key_Right);
+        ASSERT_TRUE(pumpUntil([&] { return studio.window->viewport().picture()->plan.get() != before; }));
+        times.push_back(studio.window->viewport().picture()->facts.sinceRequestMs);
+        if (i % 5 == 4) {
+            ASSERT_TRUE(studio.waitForFinal());
+        }
+    }
+    std::sort(times.begin(), times.end());
+    std::cout << "edit to first picture: median " << times[10] << " ms, longest " << times.back() << " ms\n";
+    std::cout << "longest gap while turning: " << gaps.longest() << " ms\n";
+}
+
+TEST(Studio, AFileThatIsNoScanIsToldInOneLine) {
+    Studio studio;
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("broken.nrrd").toStdString();
+    std::ofstream(path) << "NRRD0004\ntype: banana\n";
+    studio.window->openPath(path);
+    ASSERT_TRUE(pumpUntil([&] { return !studio.window->busy(); }));
+    auto* box = studio.window->findChild<QMessageBox*>();
+    ASSERT_NE(box, nullptr);
+    EXPECT_TRUE(box->detailedText().contains("broken.nrrd"));
+    EXPECT_FALSE(box->text().contains('\n'));
+    EXPECT_TRUE(studio.window->document().empty());
+    box->close();
+}
+
+TEST(Studio, AnImportCanBeCancelledByOpeningSomethingElse) {
+    Studio studio;
+    studio.window->openSample();
+    studio.window->openSample();
+    ASSERT_TRUE(pumpUntil([&] { return !studio.window->busy(); }));
+    EXPECT_EQ(studio.window->document().generation(), 1U) << "only the second one arrives";
+}
+
+TEST(Studio, ADropOpens) {
+    const auto path = testing::testData("volumes/cthead_unc.nrrd");
+    if (!path)
+        GTEST_SKIP();
+    Studio studio;
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(QString::fromStdString(path->string()))});
+    QDragEnterEvent enter({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(studio.window.get(), &enter);
+    EXPECT_TRUE(enter.isAccepted());
+    QDropEvent drop({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(studio.window.get(), &drop);
+    ASSERT_TRUE(pumpUntil([&] { return !studio.window->busy(); }));
+    EXPECT_FALSE(studio.window->document().empty());
+    EXPECT_TRUE(studio.window->windowTitle().contains("cthead_unc.nrrd"));
+}
+
+TEST(Studio, ClosingAsksOnlyForChanges) {
+    Studio studio;
+    int asked = 0;
+    MainWindow::Answer answer = MainWindow::Answer::cancel;
+    studio.window->askAboutChanges = [&] {
+        ++asked;
+        return answer;
+    };
+    ASSERT_TRUE(studio.openSample());
+    QTest::keyClick(&studio.window->viewport(), Qt::Key_Left);
+    EXPECT_FALSE(studio.window->close());
+    EXPECT_EQ(asked, 1);
+    EXPECT_TRUE(studio.window->isVisible());
+    studio.trigger("edit.undo");
+    EXPECT_TRUE(studio.window->close()) << "undone is unchanged";
+    EXPECT_EQ(asked, 1);
+}
+
+TEST(Studio, TheShownPictureCanBeCopied) {
+    Studio studio;
+    ASSERT_TRUE(studio.openSample());
+    studio.trigger("edit.copy-picture");
+    EXPECT_EQ(QApplication::clipboard()->image().size(), studio.window->viewport().picture()->image.size());
+}
+
+} // namespace
+} // namespace limner

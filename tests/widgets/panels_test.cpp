@@ -1,0 +1,218 @@
+#include "widgets/layer_list.h"
+#include "widgets/progress_strip.h"
+#include "widgets/style_gallery.h"
+#include "widgets/style_image.h"
+
+#include "widgets/job.h"
+#include "widgets/notice_bar.h"
+#include "widgets/qt_application.h"
+#include "widgets/test_figure.h"
+
+#include <gtest/gtest.h>
+
+#include <QLineEdit>
+#include <QListWidget>
+#include <QSlider>
+#include <QTest>
+
+namespace limner {
+namespace {
+
+using testing::pumpUntil;
+using testing::qtApplication;
+
+std::vector<Style> someStyles() {
+    std::vector<Style> styles;
+    for (const char* name : {"Ink line", "Ivory bone", "Red chalk"}) {
+        Style style;
+        style.card.name = name;
+        style.card.id = QString(name).toLower().replace(' ', '-').toStdString();
+        style.card.tags = {QString(name).startsWith("Ivory") ? "skeleton" : "drawing"};
+        style.sphere = testing::plainSphere(0.5F, 0.4F, 0.3F);
+        styles.push_back(style);
+    }
+    return styles;
+}
+
+TEST(StyleGallery, AClickReplacesTheStyleOfNodeOrLayer) {
+    qtApplication();
+    StyleGallery gallery;
+    gallery.resize(220, 500);
+    gallery.setStyles(someStyles());
+    const Figure start = testing::smallFigure();
+    History history(start);
+    QObject::connect(&gallery, &StyleGallery::edited, [&](const Edit& edit) { history.apply(edit); });
+    gallery.setFigure(history.current(), 0, 1);
+    gallery.show();
+    QTest::qWait(0);
+    const auto click = [&](int row) {
+        const QRect cell = gallery.list()->visualItemRect(gallery.list()->item(row));
+        QTest::mouseClick(gallery.list()->viewport(), Qt::LeftButton, {}, cell.center());
+    };
+    click(2);
+    EXPECT_EQ(history.current()->layers[0].transfer.nodes[0].style, "ivory");
+    EXPECT_EQ(history.current()->layers[0].transfer.nodes[1].style, "red-chalk");
+    ASSERT_NE(history.current()->findStyle("red-chalk"), nullptr);
+    EXPECT_EQ(history.current()->findStyle("red-chalk")->file, "bundled:red-chalk");
+    gallery.setFigure(history.current(), 0, std::nullopt);
+    click(0);
+    for (const TransferNode& node : history.current()->layers[0].transfer.nodes)
+        EXPECT_EQ(node.style, "ink-line");
+    EXPECT_EQ(history.current()->findStyle("ivory"), nullptr) << "bundled styles that nothing uses leave";
+    EXPECT_EQ(history.position(), 2U);
+    history.undo();
+    history.undo();
+    EXPECT_EQ(*history.current(), start);
+}
+
+TEST(StyleGallery, SearchesNamesAndTags) {
+    qtApplication();
+    StyleGallery gallery;
+    gallery.setStyles(someStyles());
+    const auto shown = [&] {
+        int count = 0;
+        for (int i = 0; i < gallery.list()->count(); ++i)
+            count += gallery.list()->item(i)->isHidden() ? 0 : 1;
+        return count;
+    };
+    EXPECT_EQ(shown(), 3);
+    gallery.search()->setText("SKEL");
+    EXPECT_EQ(shown(), 1);
+    gallery.search()->setText("draw chalk");
+    EXPECT_EQ(shown(), 1);
+    gallery.search()->setText("no such thing");
+    EXPECT_EQ(shown(), 0);
+    gallery.search()->clear();
+    EXPECT_EQ(shown(), 3);
+}
+
+TEST(StyleGallery, EnterWorksLikeAClick) {
+    qtApplication();
+    StyleGallery gallery;
+    gallery.setStyles(someStyles());
+    History history(testing::smallFigure());
+    QObject::connect(&gallery, &StyleGallery::edited, [&](const Edit& edit) { history.apply(edit); });
+    gallery.setFigure(history.current(), 0, 0);
+    gallery.show();
+    gallery.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&gallery));
+    gallery.list()->setFocus();
+    gallery.list()->setCurrentRow(1);
+    QTest::qWait(0);
+    QTest::keyClick(gallery.list(), Qt::Key_Return);
+    EXPECT_EQ(history.current()->layers[0].transfer.nodes[0].style, "ivory-bone");
+}
+
+TEST(LayerList, TheCheckMarkHidesAndTheSliderMerges) {
+    qtApplication();
+    LayerList list;
+    list.resize(300, 300);
+    History history(testing::smallFigure());
+    QObject::connect(&list, &LayerList::edited, [&](const Edit& edit) {
+        history.apply(edit);
+        list.setFigure(history.current());
+    });
+    std::size_t selected = 0;
+    QObject::connect(&list, &LayerList::layerSelected, [&](std::size_t layer) { selected = layer; });
+    list.setFigure(history.current());
+    list.show();
+    EXPECT_EQ(list.list()->count(), 2);
+    list.list()->item(1)->setCheckState(Qt::Unchecked);
+    EXPECT_FALSE(history.current()->layers[1].visible);
+    list.list()->setCurrentRow(1);
+    EXPECT_EQ(selected, 1U);
+    for (int value = 190; value >= 100; value -= 10)
+        list.opacity()->setValue(value);
+    EXPECT_EQ(history.current()->layers[1].opacity, 0.5);
+    EXPECT_EQ(history.current()->layers[0].opacity, 1);
+    EXPECT_EQ(history.position(), 2U) << "one step for the check mark, one for the slider";
+    list.list()->item(0)->setText("Skeleton");
+    EXPECT_EQ(history.current()->layers[0].name, "Skeleton");
+}
+
+TEST(StyleImage, ABallShowsTheSphereAndNothingAround) {
+    std::vector<Rgba> pixels(16 * 16);
+    for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 16; ++x)
+            pixels[static_cast<std::size_t>(y) * 16 + static_cast<std::size_t>(x)] =
+                y < 8 ? Rgba{1, 0, 0, 1} : Rgba{0, 0, 1, 1};
+    const QImage ball = styleBall(LitSphere(16, pixels), 40);
+    EXPECT_EQ(qAlpha(ball.pixel(0, 0)), 0);
+    EXPECT_EQ(ball.pixelColor(20, 8), QColor(255, 0, 0)) << "up is up";
+    EXPECT_EQ(ball.pixelColor(20, 32), QColor(0, 0, 255));
+}
+
+TEST(Job, EndsWithExactlyOneWord) {
+    qtApplication();
+    for (const int how : {0, 1, 2}) {
+        QString heard;
+        Job job(
+            "work",
+            [how](Task& task) {
+                task.beginPhase("digging");
+                task.progress(0.5);
+                if (how == 1)
+                    throw Error(ErrorKind::badInput, {"cannot read", "x", "it is broken", ""});
+                while (how == 2)
+                    task.throwIfCancelled();
+            },
+            nullptr);
+        QObject::connect(&job, &Job::finished, [&] { heard += "finished"; });
+        QObject::connect(&job, &Job::failed, [&](const Error& error) { heard += error.what(); });
+        QObject::connect(&job, &Job::cancelled, [&] { heard += "cancelled"; });
+        job.start();
+        if (how == 2)
+            job.cancel();
+        ASSERT_TRUE(pumpUntil([&] { return !heard.isEmpty(); }));
+        QTest::qWait(20);
+        EXPECT_EQ(heard, how == 0 ? "finished" : how == 1 ? "cannot read: x: it is broken" : "cancelled");
+    }
+}
+
+TEST(Job, AForeignExceptionIsAnErrorToo) {
+    qtApplication();
+    QString heard;
+    Job job(
+        "Reading", [](Task&) { throw std::bad_alloc(); }, nullptr);
+    QObject::connect(&job, &Job::failed, [&](const Error& error) { heard = error.what(); });
+    job.start();
+    ASSERT_TRUE(pumpUntil([&] { return !heard.isEmpty(); }));
+    EXPECT_TRUE(heard.startsWith("Reading failed"));
+}
+
+TEST(ProgressStrip, ShowsLastingWorkAndCancelsIt) {
+    qtApplication();
+    QWidget window;
+    ProgressStrip strip(&window);
+    window.show();
+    bool cancelled = false;
+    Job job(
+        "Importing",
+        [](Task& task) {
+            while (true)
+                task.throwIfCancelled();
+        },
+        nullptr);
+    QObject::connect(&job, &Job::cancelled, [&] { cancelled = true; });
+    strip.follow(&job);
+    job.start();
+    EXPECT_FALSE(strip.isVisible()) << "short work must not flicker";
+    ASSERT_TRUE(pumpUntil([&] { return strip.isVisible(); }));
+    job.cancel();
+    ASSERT_TRUE(pumpUntil([&] { return cancelled; }));
+    EXPECT_FALSE(strip.isVisible());
+}
+
+TEST(NoticeBar, HidesWithoutNotices) {
+    qtApplication();
+    QWidget window;
+    NoticeBar bar(&window);
+    window.show();
+    bar.setNotices({"The scanner's table was removed.", "One slice is missing."}, NoticeBar::Kind::information);
+    EXPECT_TRUE(bar.isVisible());
+    bar.setNotices({}, NoticeBar::Kind::information);
+    EXPECT_FALSE(bar.isVisible());
+}
+
+} // namespace
+} // namespace limner

@@ -1,0 +1,54 @@
+#include "widgets/notice_bar.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+
+namespace limner {
+
+NoticeBar::NoticeBar(QWidget* parent)
+    : QFrame(parent), text_(new QLabel), more_(new QToolButton), close_(new QToolButton) {
+    setFrameShape(QFrame::NoFrame);
+    setAutoFillBackground(true);
+    text_->setWordWrap(true);
+    text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    text_->setAccessibleName(tr("Notices"));
+    more_->setAutoRaise(true);
+    close_->setAutoRaise(true);
+    close_->setText(tr("Dismiss"));
+    close_->setToolTip(tr("Hide this notice"));
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(12, 5, 6, 5);
+    layout->setSpacing(6);
+    layout->addWidget(text_, 1);
+    layout->addWidget(more_);
+    layout->addWidget(close_);
+    connect(close_, &QToolButton::clicked, this, [this] { setNotices({}, Kind::information); });
+    connect(more_, &QToolButton::clicked, this, [this] {
+        expanded_ = !expanded_;
+        display();
+    });
+    setVisible(false);
+}
+
+void NoticeBar::setNotices(const QStringList& lines, Kind kind) {
+    lines_ = lines;
+    lines_.removeDuplicates();
+    expanded_ = false;
+    QPalette colours = palette();
+    const bool dark = parentWidget() && parentWidget()->palette().color(QPalette::Window).lightness() < 128;
+    const QColor calm = dark ? QColor(0x2b, 0x3d, 0x52) : QColor(0xe4, 0xee, 0xf8);
+    const QColor alarm = dark ? QColor(0x5a, 0x30, 0x2b) : QColor(0xfb, 0xe5, 0xdf);
+    colours.setColor(QPalette::Window, kind == Kind::problem ? alarm : calm);
+    setPalette(colours);
+    display();
+}
+
+void NoticeBar::display() {
+    setVisible(!lines_.isEmpty());
+    more_->setVisible(lines_.size() > 1);
+    more_->setText(expanded_ ? tr("Less") : tr("%1 more").arg(lines_.size() - 1));
+    text_->setText(lines_.isEmpty() ? QString() : expanded_ ? lines_.join('\n') : lines_.front());
+}
+
+} // namespace limner

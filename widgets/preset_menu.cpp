@@ -1,0 +1,23 @@
+#include "widgets/preset_menu.h"
+
+namespace limner {
+
+PresetMenu::PresetMenu(QWidget* parent) : QMenu(tr("&Preset"), parent) { setToolTipsVisible(true); }
+
+void PresetMenu::setPresets(const std::vector<PresetCard>& presets) {
+    clear();
+    for (const PresetCard& card : presets) {
+        const QString id = QString::fromStdString(card.id);
+        const QString name = QString::fromStdString(card.name);
+        const QString modality = QString::fromStdString(card.modality);
+        QAction* action = addAction(card.modality == "any" ? name : tr("%1 (%2)").arg(name, modality));
+        action->setObjectName("preset." + id);
+        action->setToolTip(QString::fromStdString(card.help));
+        action->setStatusTip(action->toolTip());
+        connect(action, &QAction::triggered, this, [this, id, name] { Q_EMIT chosen(id, name); });
+        if (card.id == "auto")
+            addSeparator();
+    }
+}
+
+} // namespace limner

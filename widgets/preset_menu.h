@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/figure/presets.h"
+
+#include <QMenu>
+
+namespace limner {
+
+/// The presets it is given; says which was chosen. Laying a preset over a figure can take a while, so it is not done
+/// here.
+class PresetMenu : public QMenu {
+    Q_OBJECT
+
+  public:
+    explicit PresetMenu(QWidget* parent = nullptr);
+    void setPresets(const std::vector<PresetCard>& presets);
+
+  Q_SIGNALS:
+    void chosen(const QString& id, const QString& name);
+};
+
+} // namespace limner

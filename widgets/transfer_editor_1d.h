@@ -1,0 +1,42 @@
+#pragma once
+
+#include "widgets/transfer_canvas.h"
+
+#include <QWidget>
+
+class QDoubleSpinBox;
+class QLabel;
+class QToolButton;
+
+namespace limner {
+
+/// The one-dimensional transfer function editor: the canvas, and the selected handle's numbers in fields.
+class TransferEditor1d : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit TransferEditor1d(QWidget* parent = nullptr);
+
+    void setFigure(std::shared_ptr<const Figure> figure, std::size_t layer);
+    void setHistogram(std::shared_ptr<const Histogram> histogram) { canvas_->setHistogram(std::move(histogram)); }
+    [[nodiscard]] TransferCanvas* canvas() const { return canvas_; }
+    /// The selected style node, if one is selected.
+    [[nodiscard]] std::optional<std::size_t> selectedNode() const;
+
+  Q_SIGNALS:
+    void edited(const limner::Edit& edit);
+    void selectionChanged();
+
+  private:
+    void showSelection();
+
+    TransferCanvas* canvas_;
+    QLabel* what_;
+    QDoubleSpinBox* value_;
+    QDoubleSpinBox* opacity_;
+    QToolButton* add_;
+    QToolButton* step_;
+    QToolButton* remove_;
+};
+
+} // namespace limner
