@@ -27,12 +27,17 @@ def commands_by_folder(build):
                 skip = True
             elif not word.startswith(("-O", "-g", "-fsanitize")):
                 flags.append(word)
-        commands.setdefault(Path(entry["file"]).parent, [words[0], *flags])
+        file = Path(entry["file"])
+        commands.setdefault(file.parent, [words[0], *flags])
+        if file.name.startswith("kernel_"):  # one of the files that are built for several instruction sets
+            commands[file.parent / "-inl.h"] = [words[0], *flags]
     return commands
 
 
 def command_for(header, commands):
-    """The flags of the nearest folder, upwards first, then anywhere below."""
+    """The flags of the nearest folder, upwards first, then anywhere below; of a kernel for what only kernels include."""
+    if header.name.endswith("-inl.h") and header.parent / "-inl.h" in commands:
+        return commands[header.parent / "-inl.h"]
     for folder in header.parents:
         if folder in commands:
             return commands[folder]

@@ -114,31 +114,18 @@ TEST(Studio, TheActionTableIsWhole) {
     EXPECT_EQ(shortcuts.removeDuplicates(), 0);
 }
 
-TEST(Studio, FromScanToExportAndBack) {
-    Studio studio;
-    GapProbe gaps;
-    QElapsedTimer clock;
-    clock.start();
-    studio.window->openSample();
-    ASSERT_TRUE(pumpUntil([&] { return !studio.window->document().empty(); }));
-    const auto opened = clock.elapsed();
-    ASSERT_TRUE(pumpUntil([&] { return studio.window->viewport().picture().has_value(); }));
-    std::cout << "sample opened after " << opened << " ms, first picture after " << clock.elapsed() << " ms\n";
-    ASSERT_TRUE(studio.waitForFinal());
-    EXPECT_TRUE(showsSomething(studio.window->viewport().picture()->image));
-    EXPECT_FALSE(studio.window->document().dirty());
-    const Figure start = studio.figure();
-    ASSERT_FALSE(start.layers.empty());
-
-    // A preset.
+/// A preset keeps the camera.
+void choosePreset(Studio& studio, const Figure& start) {
     studio.window->usePreset("skull", "Skull");
     ASSERT_TRUE(pumpUntil([&] { return !studio.window->busy(); }));
     EXPECT_NE(studio.figure().layers, start.layers);
     EXPECT_EQ(studio.figure().camera, start.camera);
     EXPECT_TRUE(studio.window->document().dirty());
     EXPECT_TRUE(studio.window->isWindowModified());
+}
 
-    // Another style, by a click into the gallery.
+/// Another style, by a click into the gallery.
+void clickAStyle(Studio& studio) {
     QListWidget* list = studio.window->gallery().list();
     ASSERT_TRUE(pumpUntil([&] { return list->count() >= 20; })) << "at least twenty bundled styles";
     const std::string before = studio.figure().layers[0].transfer.nodes.at(0).style;
@@ -148,8 +135,10 @@ TEST(Studio, FromScanToExportAndBack) {
     QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(row)).center());
     EXPECT_NE(studio.figure().layers[0].transfer.nodes.at(0).style, before);
     ASSERT_TRUE(studio.waitForFinal());
+}
 
-    // An opacity point, by a drag; pictures come while it moves.
+/// An opacity point, by a drag; pictures come while it moves.
+void dragAPoint(Studio& studio) {
     TransferCanvas& canvas = *studio.window->transferEditor().canvas();
     const auto points = studio.figure().layers[0].transfer.opacity;
     ASSERT_GE(points.size(), 2U);
@@ -166,16 +155,18 @@ TEST(Studio, FromScanToExportAndBack) {
     EXPECT_NE(studio.figure().layers[0].transfer.opacity, points);
     EXPECT_EQ(studio.window->document().history().position(), stepsBefore + 1);
     ASSERT_TRUE(studio.waitForFinal());
+}
 
-    // A turn with the keys and a standard view.
+/// A turn with the keys and a standard view.
+void turn(Studio& studio) {
     QTest::keyClick(&studio.window->viewport(), Qt::Key_Left);
     studio.trigger("view.left");
     EXPECT_EQ(studio.window->viewport().letters().left.substr(0, 1).size(), 1U);
     ASSERT_TRUE(studio.waitForFinal());
     EXPECT_EQ(studio.window->viewport().letters(), (EdgeLetters{"A", "P", "S", "I"}));
-    const Figure end = studio.figure();
+}
 
-    // All back, all again.
+void undoAllAndRedoAll(Studio& studio, const Figure& start, Figure end) {
     while (studio.window->actions().at("edit.undo")->isEnabled())
         studio.trigger("edit.undo");
     EXPECT_EQ(studio.figure(), start);
@@ -183,9 +174,9 @@ TEST(Studio, FromScanToExportAndBack) {
     while (studio.window->actions().at("edit.redo")->isEnabled())
         studio.trigger("edit.redo");
     EXPECT_EQ(studio.figure(), end);
+}
 
-    // Save, reopen, compare.
-    const QTemporaryDir folder;
+void saveAndReopen(Studio& studio, const QTemporaryDir& folder, Figure end) {
     const std::filesystem::path project = folder.filePath("head.limner").toStdString();
     studio.window->savePath(project);
     ASSERT_TRUE(pumpUntil([&] { return !studio.window->busy(); }));
@@ -201,8 +192,9 @@ TEST(Studio, FromScanToExportAndBack) {
     EXPECT_EQ(again.cleanup, end.cleanup);
     ASSERT_TRUE(again.volume && again.volume->data);
     ASSERT_TRUE(studio.waitForFinal());
+}
 
-    // Export.
+void exportPng(Studio& studio, const QTemporaryDir& folder) {
     const std::filesystem::path png = folder.filePath("head.png").toStdString();
     ExportDialog::Choice choice;
     choice.output = {50, 50, 150, false};
@@ -213,6 +205,32 @@ TEST(Studio, FromScanToExportAndBack) {
     EXPECT_EQ(exported.size(), QSize(295, 295));
     EXPECT_NEAR(exported.dotsPerMeterX(), 150 / 0.0254, 1);
     EXPECT_TRUE(showsSomething(exported));
+}
+
+TEST(Studio, FromScanToExportAndBack) {
+    Studio studio;
+    GapProbe gaps;
+    QElapsedTimer clock;
+    clock.start();
+    studio.window->openSample();
+    ASSERT_TRUE(pumpUntil([&] { return !studio.window->document().empty(); }));
+    const auto opened = clock.elapsed();
+    ASSERT_TRUE(pumpUntil([&] { return studio.window->viewport().picture().has_value(); }));
+    std::cout << "sample opened after " << opened << " ms, first picture after " << clock.elapsed() << " ms\n";
+    ASSERT_TRUE(studio.waitForFinal());
+    EXPECT_TRUE(showsSomething(studio.window->viewport().picture()->image));
+    EXPECT_FALSE(studio.window->document().dirty());
+    const Figure start = studio.figure();
+    ASSERT_FALSE(start.layers.empty());
+
+    ASSERT_NO_FATAL_FAILURE(choosePreset(studio, start));
+    ASSERT_NO_FATAL_FAILURE(clickAStyle(studio));
+    ASSERT_NO_FATAL_FAILURE(dragAPoint(studio));
+    ASSERT_NO_FATAL_FAILURE(turn(studio));
+    ASSERT_NO_FATAL_FAILURE(undoAllAndRedoAll(studio, start, studio.figure()));
+    const QTemporaryDir folder;
+    ASSERT_NO_FATAL_FAILURE(saveAndReopen(studio, folder, studio.figure()));
+    ASSERT_NO_FATAL_FAILURE(exportPng(studio, folder));
 
     std::cout << "longest gap of the event loop: " << gaps.longest() << " ms\n";
     EXPECT_LT(gaps.longest(), 1000) << "the window hung";

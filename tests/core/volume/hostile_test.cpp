@@ -219,17 +219,19 @@ std::vector<Hostile> hostileNrrd() {
         {"endless.nrrd", "NRRD0004\n" + std::string(5 << 20, 'x')}};
 }
 
-std::vector<Hostile> hostileOthers() {
-    const std::string array = "<DataArray type=\"UInt8\" Name=\"a\" format=\"ascii\">1 2 3</DataArray>";
-    const std::string lol = "<!DOCTYPE x [<!ENTITY a \"aaaaaaaaaa\"><!ENTITY b \"&a;&a;&a;&a;&a;&a;&a;&a;&a;&a;\">"
-                            "<!ENTITY c \"&b;&b;&b;&b;&b;&b;&b;&b;&b;&b;\">]>";
+const std::string kEntityBomb = "<!DOCTYPE x [<!ENTITY a \"aaaaaaaaaa\"><!ENTITY b \"&a;&a;&a;&a;&a;&a;&a;&a;&a;&a;\">"
+                                "<!ENTITY c \"&b;&b;&b;&b;&b;&b;&b;&b;&b;&b;\">]>";
+
+std::string deepXml() {
     std::string deep;
     for (int i = 0; i < 100000; ++i) {
         deep += "<a>";
     }
+    return deep;
+}
+
+std::vector<Hostile> hostileMetaImages() {
     const std::string size = "ElementSpacing = 1 1 1\nElementType = MET_SHORT\n";
-    const std::string integers = "<integer>2</integer><integer>3</integer><integer>4</integer>";
-    const std::string big = "<integer>60000</integer><integer>60000</integer><integer>60000</integer>";
     return {
         {"big.mha", meta(size + "DimSize = 2147483648 1 1")},
         {"negative.mha", meta(size + "DimSize = -4 3 2")},
@@ -243,6 +245,12 @@ std::vector<Hostile> hostileOthers() {
         {"climb.mhd", "NDims = 3\n" + size + "DimSize = 4 3 2\nElementDataFile = ../x.raw\n"},
         {"list.mhd", "NDims = 3\n" + size + "DimSize = 4 3 2\nElementDataFile = LIST\n/etc/passwd\n/etc/passwd\n"},
         {"none.mhd", "NDims = 3\nDimSize = 4 3 2\n"},
+    };
+}
+
+std::vector<Hostile> hostileVtk() {
+    const std::string array = "<DataArray type=\"UInt8\" Name=\"a\" format=\"ascii\">1 2 3</DataArray>";
+    return {
         {"big.vtk", "# vtk DataFile Version 3.0\nx\nBINARY\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2147483648 2 2\n"
                     "SPACING 1 1 1\nORIGIN 0 0 0\nPOINT_DATA 8\nSCALARS a short 1\nLOOKUP_TABLE default\n1234"},
         {"count.vtk", "# vtk DataFile Version 3.0\nx\nBINARY\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 2\n"
@@ -250,8 +258,8 @@ std::vector<Hostile> hostileOthers() {
         {"short.vtk", "# vtk DataFile Version 3.0\nx\nBINARY\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 2\n"
                       "SPACING 1 1 1\nORIGIN 0 0 0\nPOINT_DATA 8\nSCALARS a short 1\nLOOKUP_TABLE default\n1234"},
         {"mesh.vtk", "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 0 float\n"},
-        {"bomb.vti", vti("0 1 0 1 0 1", "&c;" + array, lol)},
-        {"deep.vti", vti("0 1 0 1 0 1", deep)},
+        {"bomb.vti", vti("0 1 0 1 0 1", "&c;" + array, kEntityBomb)},
+        {"deep.vti", vti("0 1 0 1 0 1", deepXml())},
         {"extent.vti", vti("0 2147483647 0 2147483647 0 2147483647", array)},
         {"backward.vti", vti("5 0 0 1 0 1", array)},
         {"nan.vti", vti("nan nan 0 1 0 1", array)},
@@ -259,15 +267,22 @@ std::vector<Hostile> hostileOthers() {
         {"offset.vti", vti("0 1 0 1 0 1", "<DataArray type=\"UInt8\" format=\"appended\" offset=\"9999999999\"/>")},
         {"binary.vti", vti("0 1 0 1 0 1", "<DataArray type=\"UInt8\" format=\"binary\">AAAA</DataArray>")},
         {"broken.vti", "<?xml version=\"1.0\"?><VTKFile type=\"ImageData\"><ImageData"},
+    };
+}
+
+std::vector<Hostile> hostileOthers() {
+    const std::string integers = "<integer>2</integer><integer>3</integer><integer>4</integer>";
+    const std::string big = "<integer>60000</integer><integer>60000</integer><integer>60000</integer>";
+    return {
         {"noise.inv3", std::string(3000, 'x')},
         {"empty.inv3", gzipped(std::string(1024, '\0'))},
         {"noplist.inv3", gzipped(tarEntry("a/matrix.dat", "abc"))},
         {"claims.inv3", gzipped(tarEntry("a/main.plist", "abc", 8000000000ULL))},
-        {"entities.inv3", gzipped(tarEntry("a/main.plist", plist(integers, lol)))},
+        {"entities.inv3", gzipped(tarEntry("a/main.plist", plist(integers, kEntityBomb)))},
         {"nomatrix.inv3", gzipped(tarEntry("a/main.plist", plist(integers)))},
         {"size.inv3", gzipped(tarEntry("a/main.plist", plist(integers)) + tarEntry("a/matrix.dat", "abc"))},
         {"huge.inv3", gzipped(tarEntry("a/main.plist", plist(big)) + tarEntry("a/matrix.dat", "abc")), true},
-        {"deep.inv3", gzipped(tarEntry("a/main.plist", deep))},
+        {"deep.inv3", gzipped(tarEntry("a/main.plist", deepXml()))},
         {"short.dcm", dicom(64, 64, 8192, std::string(100, 'x'))},
         {"lying.dcm", dicom(65535, 65535, 100, std::string(100, 'x'))},
         {"length.dcm", dicom(64, 64, 0xfffffff0U, std::string(100, 'x'))},
@@ -354,7 +369,7 @@ void expectRefusal(const fs::path& file, bool overBudget) {
 TEST(HostileFiles, AreRefusedInOneLine) {
     const HostileFolder folder;
     std::vector<Hostile> all = hostileNifti();
-    for (const auto& more : {hostileNrrd(), hostileOthers()}) {
+    for (const auto& more : {hostileNrrd(), hostileMetaImages(), hostileVtk(), hostileOthers()}) {
         all.insert(all.end(), more.begin(), more.end());
     }
     const long before = peakKilobytes();
