@@ -17,7 +17,7 @@ namespace limner {
 namespace {
 
 constexpr int kPreview = 56;
-constexpr QSize kCell(92, 106); // two lines of name
+constexpr QSize kCell(96, 94); // one line of name; long ones are elided, the tip has them whole
 
 /// A list whose items travel as style ids.
 class StyleList : public QListWidget {
@@ -46,8 +46,7 @@ StyleGallery::StyleGallery(QWidget* parent)
     list_->setGridSize(kCell);
     list_->setResizeMode(QListView::Adjust);
     list_->setMovement(QListView::Static);
-    list_->setWordWrap(true);
-    list_->setTextElideMode(Qt::ElideNone);
+    list_->setTextElideMode(Qt::ElideRight);
     list_->setDragEnabled(true);
     list_->setDragDropMode(QAbstractItemView::DragOnly);
     list_->setSelectionMode(QAbstractItemView::SingleSelection);
