@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 #include <set>
 
 namespace limner {
 namespace {
+
+constexpr double kNoLimit = std::numeric_limits<double>::infinity(); // the first and last have one neighbour
 
 bool isBundled(const StyleEntry& entry) { return entry.file.starts_with("bundled:"); }
 
@@ -41,8 +44,8 @@ double middleOf(const OpacityPoints& points) { return points.empty() ? 0 : (poin
 
 OpacityPoints withPointMoved(OpacityPoints points, std::size_t index, glm::dvec2 to) {
     assert(index < points.size());
-    const double low = index > 0 ? points[index - 1].x : to.x;
-    const double high = index + 1 < points.size() ? points[index + 1].x : to.x;
+    const double low = index > 0 ? points[index - 1].x : -kNoLimit;
+    const double high = index + 1 < points.size() ? points[index + 1].x : kNoLimit;
     points[index] = {std::max(low, std::min(high, to.x)), std::clamp(to.y, 0.0, 1.0)};
     return points;
 }
@@ -81,8 +84,8 @@ OpacityPoints withStepAt(OpacityPoints points, std::size_t index) {
 
 TransferNodes withNodeMoved(TransferNodes nodes, std::size_t index, double at) {
     assert(index < nodes.size());
-    const double low = index > 0 ? nodes[index - 1].at : at;
-    const double high = index + 1 < nodes.size() ? nodes[index + 1].at : at;
+    const double low = index > 0 ? nodes[index - 1].at : -kNoLimit;
+    const double high = index + 1 < nodes.size() ? nodes[index + 1].at : kNoLimit;
     nodes[index].at = std::max(low, std::min(high, at));
     return nodes;
 }
