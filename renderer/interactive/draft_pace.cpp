@@ -8,7 +8,9 @@ namespace {
 
 constexpr double kLongestStep = 2;  // beyond it thin walls break up and the draft misleads
 constexpr double kFewestPixels = 8; // 1/64 of the pixels: still tells a view
-constexpr double kFixedMs = 2;      // planning, threads starting, delivery
+constexpr double kFixedMs = 2;      // threads starting, delivery
+constexpr double kPromptMs = 80;    // preparation and draft together: leaves a fifth of 100 ms for hiccups
+constexpr double kLeastMs = 15;     // a draft made in less shows nothing
 
 double megaRays(glm::ivec2 size, const Coarseness& coarseness) {
     const glm::ivec2 pixels = DraftPace::pixels(size, coarseness);
@@ -29,10 +31,12 @@ double DraftPace::predictedMs(glm::ivec2 size, const Coarseness& coarseness) con
     return kFixedMs + msPerMegaRay_ * megaRays(size, coarseness) / coarseness.stepScale;
 }
 
+double DraftPace::renderBudgetMs() const { return std::min(budgetMs_, std::max(kPromptMs - preparationMs_, kLeastMs)); }
+
 Coarseness DraftPace::draft(glm::ivec2 size) const {
     Coarseness coarseness{1, 1, 1};
     const double full = predictedMs(size, coarseness) - kFixedMs;
-    const double excess = full / std::max(budgetMs_ - kFixedMs, 1.0);
+    const double excess = full / std::max(renderBudgetMs() - kFixedMs, 1.0);
     if (excess <= 1)
         return coarseness;
     // Fewer pixels only blur, longer steps draw wood grain: the step takes the smaller part.

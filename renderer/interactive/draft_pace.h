@@ -25,11 +25,17 @@ class DraftPace {
     /// A picture of that full size and coarseness took so long; `complete` false: it was stopped after that time.
     void measured(glm::ivec2 size, const Coarseness& coarseness, double milliseconds, bool complete);
 
+    /// What went before the last rendering (planning) takes its part of the budget from the next draft.
+    void prepared(double milliseconds) { preparationMs_ = milliseconds; }
+
     /// Pixels of a picture of full size `size`.
     static glm::ivec2 pixels(glm::ivec2 size, const Coarseness& coarseness);
 
   private:
+    [[nodiscard]] double renderBudgetMs() const;
+
     double budgetMs_;
+    double preparationMs_ = 0;
     /// Per million rays at the figure's step. The first guess is slow, so that the first draft is early: 512^2 of a
     /// real head takes a third of it on two cores.
     double msPerMegaRay_ = 1000;

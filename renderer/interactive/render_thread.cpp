@@ -164,6 +164,7 @@ bool RenderThread::renderStage(const Numbered& job, const Coarseness& coarseness
                            true, std::nullopt};
     const std::shared_ptr<const RenderPlan> plan = plan_(*job.view.figure, wish, *planning);
     const Clock::time_point planned = Clock::now();
+    pace_.prepared(millisecondsBetween(start, planned));
 
     const auto rendering = std::make_shared<Task>();
     const bool draft = coarseness != Coarseness{1, 1, coarseness.subPixels} || job.view.draftsOnly;

@@ -235,6 +235,19 @@ TEST(DraftPace, KeepsToItsBudgetByItsOwnPrediction) {
     EXPECT_GT(draft.pixelScale, draft.stepScale * 0.5);
 }
 
+TEST(DraftPace, SlowPlanningLeavesLessForDrawing) {
+    DraftPace pace(50);
+    pace.measured({1000, 1000}, {1, 1, 1}, 400, true);
+    pace.prepared(10);
+    const double quick = pace.predictedMs({1000, 1000}, pace.draft({1000, 1000}));
+    pace.prepared(55);
+    const double slow = pace.predictedMs({1000, 1000}, pace.draft({1000, 1000}));
+    EXPECT_NEAR(quick, 50, 1);
+    EXPECT_NEAR(slow, 25, 1);
+    pace.prepared(5000); // the first plan of a figure
+    EXPECT_GT(pace.predictedMs({1000, 1000}, pace.draft({1000, 1000})), 10);
+}
+
 TEST(DraftPace, AStoppedDraftMakesTheNextCoarser) {
     DraftPace pace(50);
     pace.measured({1000, 1000}, {1, 1, 1}, 100, true);
