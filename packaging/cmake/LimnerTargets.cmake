@@ -18,8 +18,12 @@ endif()
 # Flags shared by our own code; libraries' headers come in as SYSTEM and stay out of -Werror.
 add_library(limner_flags INTERFACE)
 target_include_directories(limner_flags INTERFACE ${PROJECT_SOURCE_DIR})
-target_compile_options(limner_flags INTERFACE -Wall -Wextra -Werror -Wshadow -Wnon-virtual-dtor
-                                              $<$<NOT:$<CONFIG:Debug>>:-O3>)
+target_compile_options(limner_flags INTERFACE -Wall -Wextra -Werror -Wshadow -Wnon-virtual-dtor)
+if(LIMNER_SANITIZE)
+  target_compile_options(limner_flags INTERFACE -O1 -g1) # a sanitizer's code at -O3 takes minutes a file
+else()
+  target_compile_options(limner_flags INTERFACE $<$<NOT:$<CONFIG:Debug>>:-O3>)
+endif()
 # GCC 12 sees overlaps that are not there in "/" + std::string (GCC bug 105651).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(limner_flags INTERFACE -Wno-restrict)

@@ -160,7 +160,7 @@ int measureMemory(const std::string& path) {
     Planner planner;
     PlanRequest request;
     request.size = {512, 512};
-    const auto plan = planner.plan(sceneFigure(scene, Shading::style, 0.5), request, task);
+    const auto plan = planner.plan(sceneFigure(scene, Shading::phong, 0.5), request, task);
     makeCpuBackend()->render(*plan, Tile{{0, 0}, plan->size}, task);
     const Grid& grid = imported.volume->grid();
     const double voxelMb = static_cast<double>(grid.voxelCount() * bytesPerVoxel(imported.volume->type())) / 1048576;
@@ -173,7 +173,7 @@ int measureMemory(const std::string& path) {
 }
 
 void runMemoryTable(const std::vector<std::string>& volumes, const Wanted& wanted) {
-    const std::string title = "Memory in MB and loading (a process for each; 512^2 with lit spheres drawn at the end)";
+    const std::string title = "Memory in MB and loading (a process for each; 512^2 by Phong drawn at the end)";
     if (!wanted.covers(title)) {
         return;
     }
