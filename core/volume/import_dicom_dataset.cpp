@@ -211,7 +211,7 @@ ByteBuffer inflateRest(const Context& context, std::span<const std::byte> deflat
         zlib.next_out = reinterpret_cast<Bytef*>(out.data() + before);
         zlib.avail_out = kPiece;
         state = inflate(&zlib, Z_NO_FLUSH);
-        out.resize(out.size() - zlib.avail_out);
+        out.erase(out.end() - static_cast<std::ptrdiff_t>(zlib.avail_out), out.end());
     }
     ByteBuffer result(out.size());
     if (!out.empty()) {

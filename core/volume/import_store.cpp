@@ -189,10 +189,14 @@ ByteBuffer convert(const StoredVolume& stored, const Keeping& keeping, double& w
     ByteBuffer kept(stored.values.size() / bytesPerScalar(stored.type) * bytesPerVoxel(keeping.type));
     withScalar(stored.type, [&](auto zero) {
         const auto values = stored.values.as<decltype(zero)>();
-        switch (keeping.type) {
-        case VoxelType::uint8: worst = keep(values, kept.as<std::uint8_t>(), keeping); break;
-        case VoxelType::int16: worst = keep(values, kept.as<std::int16_t>(), keeping); break;
-        case VoxelType::float32: worst = keep(values, kept.as<float>(), keeping); break;
+        // Only the pairs that `keepingFor` chooses: each is a loop of its own.
+        if constexpr (sizeof(zero) == 1) {
+            worst = keep(values, kept.as<std::uint8_t>(), keeping);
+        } else if constexpr (sizeof(zero) == 2) {
+            worst = keep(values, kept.as<std::int16_t>(), keeping);
+        } else {
+            worst = keeping.type == VoxelType::int16 ? keep(values, kept.as<std::int16_t>(), keeping)
+                                                     : keep(values, kept.as<float>(), keeping);
         }
     });
     return kept;
