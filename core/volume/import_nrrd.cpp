@@ -168,7 +168,8 @@ bool isSpatialKind(const std::string& kind) { return kind == "domain" || kind ==
 Axes axesOf(const Context& context, const NrrdHeader& header) {
     Axes axes;
     const auto dimension = parseInteger(header.field("dimension"));
-    for (const std::string_view size : words(header.field("sizes"))) {
+    const std::string sizes = header.field("sizes"); // the words point into it
+    for (const std::string_view size : words(sizes)) {
         axes.sizes.push_back(parseInteger(size).value_or(0));
     }
     if (!dimension || *dimension < 1 || *dimension > 7 || axes.sizes.size() != static_cast<std::size_t>(*dimension)) {
@@ -179,12 +180,12 @@ Axes axesOf(const Context& context, const NrrdHeader& header) {
         context.refuse("it has " + std::to_string(axes.sizes.size()) + " axes and " +
                        std::to_string(axes.directions.size()) + " space directions");
     }
-    const auto kinds = words(header.field("kinds"));
-    const std::string kindsField = header.field("kinds");
+    const std::string kindsField = header.field("kinds"); // the words point into it
+    const auto kinds = words(kindsField);
+    const bool hasKinds = kinds.size() == axes.sizes.size();
     for (std::size_t i = 0; i < axes.sizes.size(); ++i) {
-        const bool hasKinds = words(kindsField).size() == axes.sizes.size();
         const bool spatial = !axes.directions.empty() ? axes.directions[i].has_value()
-                             : hasKinds               ? isSpatialKind(lowered(words(kindsField)[i]))
+                             : hasKinds               ? isSpatialKind(lowered(kinds[i]))
                                                       : true;
         if (spatial && axes.spatial.size() < 3) {
             axes.spatial.push_back(i);
