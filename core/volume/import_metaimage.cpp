@@ -185,8 +185,8 @@ StoredVolume readMetaImage(Context& context) {
     stored.type = typeOf(context, header);
     const auto rank = parseInteger(header.value({"ndims"})).value_or(0);
     std::vector<std::int64_t> sizes;
-    const std::string sizes = header.value({"dimsize"}); // the words point into it
-    for (const std::string_view size : words(sizes)) {
+    const std::string dimSize = header.value({"dimsize"}); // the words point into it
+    for (const std::string_view size : words(dimSize)) {
         sizes.push_back(parseInteger(size).value_or(0));
     }
     if (rank < 1 || rank > 6 || sizes.size() != static_cast<std::size_t>(rank)) {
