@@ -3,10 +3,10 @@
 
 #include "app/studio/studio_theme.h"
 #include "core/volume/phantom.h"
+#include "support/qt_events.h"
 #include "support/test_data.h"
 #include "widgets/layer_list.h"
 #include "widgets/notice_bar.h"
-#include "widgets/qt_application.h"
 #include "widgets/style_gallery.h"
 #include "widgets/transfer_editor_1d.h"
 #include "widgets/viewport.h"
@@ -55,7 +55,7 @@ class GapProbe : public QObject {
 
 struct Studio {
     Studio() {
-        applyStudioTheme(testing::qtApplication());
+        applyStudioTheme(*qApp);
         window = std::make_unique<MainWindow>(makeEngine());
         window->askAboutChanges = [] { return MainWindow::Answer::discard; };
         window->show();

@@ -3,9 +3,9 @@
 #include "widgets/style_gallery.h"
 #include "widgets/style_image.h"
 
+#include "support/qt_events.h"
 #include "widgets/job.h"
 #include "widgets/notice_bar.h"
-#include "widgets/qt_application.h"
 #include "widgets/test_figure.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,6 @@ namespace limner {
 namespace {
 
 using testing::pumpUntil;
-using testing::qtApplication;
 
 std::vector<Style> someStyles() {
     std::vector<Style> styles;
@@ -35,7 +34,6 @@ std::vector<Style> someStyles() {
 }
 
 TEST(StyleGallery, AClickReplacesTheStyleOfNodeOrLayer) {
-    qtApplication();
     StyleGallery gallery;
     gallery.resize(220, 500);
     gallery.setStyles(someStyles());
@@ -66,7 +64,6 @@ TEST(StyleGallery, AClickReplacesTheStyleOfNodeOrLayer) {
 }
 
 TEST(StyleGallery, SearchesNamesAndTags) {
-    qtApplication();
     StyleGallery gallery;
     gallery.setStyles(someStyles());
     const auto shown = [&] {
@@ -87,7 +84,6 @@ TEST(StyleGallery, SearchesNamesAndTags) {
 }
 
 TEST(StyleGallery, EnterWorksLikeAClick) {
-    qtApplication();
     StyleGallery gallery;
     gallery.setStyles(someStyles());
     History history(testing::smallFigure());
@@ -104,7 +100,6 @@ TEST(StyleGallery, EnterWorksLikeAClick) {
 }
 
 TEST(LayerList, TheCheckMarkHidesAndTheSliderMerges) {
-    qtApplication();
     LayerList list;
     list.resize(300, 300);
     History history(testing::smallFigure());
@@ -143,7 +138,6 @@ TEST(StyleImage, ABallShowsTheSphereAndNothingAround) {
 }
 
 TEST(Job, EndsWithExactlyOneWord) {
-    qtApplication();
     for (const int how : {0, 1, 2}) {
         QString heard;
         Job job(
@@ -170,7 +164,6 @@ TEST(Job, EndsWithExactlyOneWord) {
 }
 
 TEST(Job, AForeignExceptionIsAnErrorToo) {
-    qtApplication();
     QString heard;
     Job job(
         "Reading", [](Task&) { throw std::bad_alloc(); }, nullptr);
@@ -181,7 +174,6 @@ TEST(Job, AForeignExceptionIsAnErrorToo) {
 }
 
 TEST(ProgressStrip, ShowsLastingWorkAndCancelsIt) {
-    qtApplication();
     QWidget window;
     ProgressStrip strip(&window);
     window.show();
@@ -204,7 +196,6 @@ TEST(ProgressStrip, ShowsLastingWorkAndCancelsIt) {
 }
 
 TEST(NoticeBar, HidesWithoutNotices) {
-    qtApplication();
     QWidget window;
     NoticeBar bar(&window);
     window.show();

@@ -1,13 +1,13 @@
 #include "widgets/transfer_canvas.h"
 
 #include "core/style/transfer_function.h"
-#include "widgets/qt_application.h"
 #include "widgets/style_mime.h"
 #include "widgets/test_figure.h"
 #include "widgets/transfer_editor_1d.h"
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QMimeData>
@@ -21,7 +21,6 @@ using Kind = TransferCanvas::HandleKind;
 
 struct Edited {
     Edited() {
-        testing::qtApplication();
         editor.resize(460, 360);
         history = History(testing::smallFigure());
         editor.setFigure(history.current(), 0);
@@ -163,7 +162,6 @@ TEST(TransferCanvas, TwoDimensionalFunctionsAreLeftAlone) {
 }
 
 TEST(TransferCanvas, RulerTextsAreShortAndNeverMinusZero) {
-    testing::qtApplication();
     QLocale::setDefault(QLocale::c());
     EXPECT_EQ(valueText(-0.2, 10), "0");
     EXPECT_EQ(valueText(250, 10), "250");

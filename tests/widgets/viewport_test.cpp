@@ -1,11 +1,11 @@
 #include "widgets/viewport.h"
 
-#include "widgets/qt_application.h"
 #include "widgets/test_figure.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QTest>
 #include <QWheelEvent>
 
@@ -15,7 +15,6 @@ namespace {
 /// A viewport whose edits go straight into a history, as the window does it.
 struct Shown {
     Shown() {
-        testing::qtApplication();
         viewport.resize(600, 500);
         show(testing::smallFigure());
         QObject::connect(&viewport, &Viewport::edited, [this](const Edit& edit) {
@@ -168,7 +167,6 @@ TEST(Viewport, DrawsThePictureAndTheLetters) {
 }
 
 TEST(Viewport, WithoutAScanNothingHappens) {
-    testing::qtApplication();
     Viewport viewport;
     viewport.resize(300, 300);
     bool edited = false;
