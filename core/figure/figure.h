@@ -4,6 +4,7 @@
 #include "core/figure/effects.h"
 #include "core/figure/layer.h"
 #include "core/style/lit_sphere.h"
+#include "core/style/texture_tile.h"
 #include "core/volume/volume.h"
 
 #include <glm/vec2.hpp>
@@ -38,7 +39,8 @@ struct VolumeReference {
 
 struct LabelReference {
     std::string path;
-    std::map<std::string, std::string> names; ///< label id in decimal -> name
+    std::map<std::string, std::string> names;   ///< label id in decimal -> name
+    std::map<std::string, std::string> colours; ///< label id in decimal -> "#rrggbb"
     std::shared_ptr<const Volume> data;
     friend bool operator==(const LabelReference&, const LabelReference&) = default;
 };
@@ -63,6 +65,15 @@ struct CleanupStep {
     friend bool operator==(const CleanupStep&, const CleanupStep&) = default;
 };
 
+/// A picture laid on the object, apart from the style's lighting: it stays in place when the camera turns.
+struct StyleTexture {
+    std::string file;                        ///< inside the project, or "bundled:ID"
+    double sizeMm = 20;                      ///< edge of the tile on the object
+    double strength = 1;                     ///< 0: not seen
+    std::shared_ptr<const TextureTile> tile; ///< null until resolved; compared by identity
+    friend bool operator==(const StyleTexture&, const StyleTexture&) = default;
+};
+
 struct StyleEntry {
     std::string id;   ///< what nodes refer to
     std::string file; ///< inside the project, relative to figure.json, or "bundled:ID"
@@ -70,6 +81,9 @@ struct StyleEntry {
     std::string credit;
     std::string licence;
     std::shared_ptr<const LitSphere> sphere; ///< null until resolved; compared by identity
+    std::string role =
+        {}; ///< what a theme exchanges it by: "bone", "skin", "vessel", ...; empty: themes leave it alone
+    std::optional<StyleTexture> texture = {};
     friend bool operator==(const StyleEntry&, const StyleEntry&) = default;
 };
 
@@ -100,7 +114,9 @@ struct Output {
 
 enum class GradientEstimator { automatic, central, sobel, neumann, fourthOrder, bspline };
 
-enum class Interpolation { linear, tricubic };
+/// Between voxels. `tricubic`: the cubic B-spline that passes through the voxels; `smooth`: the one that the voxels
+/// steer, which rounds what is finer than a voxel. `automatic`: smooth for thick slices, else linear.
+enum class Interpolation { automatic, linear, tricubic, smooth };
 
 struct Quality {
     double stepVoxels = 0.5; ///< of the smallest spacing

@@ -22,7 +22,9 @@ struct TransferNode {
 
 enum class TransferKind { oneDimensional, twoDimensional };
 
-/// Styles over a node grid; `styles[y][x]`.
+/// Styles over a node grid; `styles[y][x]` is the id of a style, or a plain colour "#rrggbb". On the axis "label" the
+/// positions are label numbers, each row or column holds for its label alone, and -1 stands for all labels that have
+/// none of their own.
 struct TransferGrid {
     std::vector<double> x;
     std::vector<double> y;
@@ -30,23 +32,40 @@ struct TransferGrid {
     friend bool operator==(const TransferGrid&, const TransferGrid&) = default;
 };
 
+/// A shape of opacity in the plane of two axes. Corners: rectangle and ellipse (its bounding box): x and y of (low,
+/// high); trapezoid: x and y of (start, full, full, end), the product of the two ramps; polygon: its points; mask: x
+/// and y of (low, high), painted with `values`, `columns` of them a row, first row at the low end of y.
 struct OpacityShape {
     std::string shape = "rectangle"; ///< rectangle, trapezoid, ellipse, polygon, mask
     std::vector<double> x;
     std::vector<double> y;
     double opacity = 1;
-    double soft = 0;
+    double soft = 0; ///< width of the ramp inside the border, as a share of half the shape's extent
+    int columns = 0;
+    std::vector<double> values; ///< mask: 0..1
     friend bool operator==(const OpacityShape&, const OpacityShape&) = default;
 };
 
+/// What the axis "distance" measures from, in mm: a point, or else the nearest voxel of a label.
+struct DistanceOrigin {
+    std::optional<glm::dvec3> fromMm;
+    int label = 0;
+    friend bool operator==(const DistanceOrigin&, const DistanceOrigin&) = default;
+};
+
+/// Axes: "value" in the data's unit; "gradient", |gradient| over its 99.9th percentile, 0..1; "label", label number;
+/// "distance", mm; "curvature", 1/mm along the view; "second", value of the second volume; "importance".
 struct Transfer {
     TransferKind kind = TransferKind::oneDimensional;
     std::string axis = "value";       ///< 1D
     std::vector<std::string> axes;    ///< 2D: two names
     std::vector<TransferNode> nodes;  ///< 1D, by rising `at`
     std::optional<TransferGrid> grid; ///< 2D; JSON "nodes" as well
-    std::vector<glm::dvec2> opacity;  ///< 1D: (value, opacity), rising; two points at one value are a step
-    std::vector<OpacityShape> opacity2d;
+    /// (position, opacity) along the (first) axis, rising; two points at one position are a step. 2D: multiplies the
+    /// shapes, or stands alone where there are none.
+    std::vector<glm::dvec2> opacity;
+    std::vector<OpacityShape> opacity2d; ///< the greatest counts
+    std::optional<DistanceOrigin> distance;
     friend bool operator==(const Transfer&, const Transfer&) = default;
 };
 
@@ -54,9 +73,16 @@ enum class Shading { style, phong, flat };
 
 enum class Transparency { uniform, illustrative };
 
+/// How the curvature along the view is measured.
+enum class CurvatureEstimator {
+    hessian, ///< second derivatives of the cubic B-spline through the sample's 4^3 voxels
+    normals, ///< angle between two normals along the ray, `Contours::probeVoxels` apart (paper 000)
+};
+
 struct Contours {
     double thicknessMm = 0.8;
     bool curvatureControlled = true;
+    CurvatureEstimator curvature = CurvatureEstimator::hessian;
     double probeVoxels = 1;
     friend bool operator==(const Contours&, const Contours&) = default;
 };

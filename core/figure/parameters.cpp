@@ -84,6 +84,10 @@ std::span<const Field> fieldsOf<LabelReference>() {
         field<&T::path>(
             "path", {.label = "Labels", .help = "Volume of label numbers, relative to the project.", .cost = kFields}),
         field<&T::names>("names", {.label = "Names", .help = "Name of each label number.", .cost = kNone}),
+        field<&T::colours>("colours", {.label = "Colours",
+                                       .help = "Colour of each label number, as #rrggbb.",
+                                       .cost = kNone,
+                                       .omitDefault = true}),
         outside<&T::data>(kFields),
     };
     return fields;
@@ -222,6 +226,24 @@ std::span<const Field> fieldsOf<CleanupStep>() {
 }
 
 template <>
+std::span<const Field> fieldsOf<StyleTexture>() {
+    using T = StyleTexture;
+    static const Field fields[] = {
+        field<&T::file>("file",
+                        {.label = "Picture", .help = "Picture inside the project, or bundled:ID.", .cost = kTables}),
+        field<&T::sizeMm>("size_mm", {.label = "Size",
+                                      .help = "Edge of the tile on the object.",
+                                      .unit = "mm",
+                                      .low = 0,
+                                      .high = kFarMm,
+                                      .lowExcluded = true}),
+        field<&T::strength>("strength", {.label = "Strength", .help = "0: not seen.", .low = 0, .high = 1}),
+        outside<&T::tile>(kTables),
+    };
+    return fields;
+}
+
+template <>
 std::span<const Field> fieldsOf<StyleEntry>() {
     using T = StyleEntry;
     static const Field fields[] = {
@@ -231,6 +253,14 @@ std::span<const Field> fieldsOf<StyleEntry>() {
         field<&T::name>("name", {.label = "Name", .help = "Name for people.", .cost = kNone}),
         field<&T::credit>("credit", {.label = "Credit", .help = "Who made the artwork.", .cost = kNone}),
         field<&T::licence>("licence", {.label = "Licence", .help = "Terms of the artwork.", .cost = kNone}),
+        field<&T::role>("role", {.label = "Role",
+                                 .help = "What themes exchange the style by: bone, skin, vessel ...",
+                                 .cost = kNone,
+                                 .omitDefault = true}),
+        field<&T::texture>("texture", {.label = "Texture",
+                                       .help = "A picture laid on the object, apart from the lighting.",
+                                       .cost = kPlan,
+                                       .omitDefault = true}),
         outside<&T::sphere>(kTables),
     };
     return fields;
@@ -296,6 +326,37 @@ std::span<const Field> fieldsOf<OpacityShape>() {
                                  .low = 0,
                                  .high = 1,
                                  .omitDefault = true}),
+        field<&T::columns>("columns", {.label = "Columns",
+                                       .help = "Numbers in a row of a mask.",
+                                       .cost = kTables,
+                                       .low = 0,
+                                       .high = 1024,
+                                       .omitDefault = true}),
+        field<&T::values>("values", {.label = "Mask",
+                                     .help = "The painted mask, row by row from the low end of the second axis.",
+                                     .cost = kTables,
+                                     .low = 0,
+                                     .high = 1,
+                                     .omitDefault = true}),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<DistanceOrigin>() {
+    using T = DistanceOrigin;
+    static const Field fields[] = {
+        field<&T::fromMm>("from_mm", {.label = "From",
+                                      .help = "The point that distances are measured from.",
+                                      .unit = "mm",
+                                      .low = -kFarMm,
+                                      .high = kFarMm,
+                                      .omitDefault = true}),
+        field<&T::label>("label", {.label = "Label",
+                                   .help = "Without a point: the label that distances are measured from.",
+                                   .cost = kFields,
+                                   .low = 0,
+                                   .omitDefault = true}),
     };
     return fields;
 }
@@ -343,6 +404,10 @@ std::span<const Field> fieldsOf<Transfer>() {
                                             .cost = kTables,
                                             .atMost = 1024,
                                             .written = asked<T, writesOpacity2d>}),
+        field<&T::distance>("distance", {.label = "Distance from",
+                                         .help = "Where the axis \"distance\" starts.",
+                                         .cost = kPlan,
+                                         .omitDefault = true}),
     };
     return fields;
 }
@@ -497,9 +562,10 @@ std::span<const Field> fieldsOf<Quality>() {
                              .help = "How surface directions are measured.",
                              .cost = kFields,
                              .choices = {"auto", "central", "sobel", "neumann", "fourth-order", "b-spline"}}),
-        field<&T::interpolation>(
-            "interpolation",
-            {.label = "Interpolation", .help = "Between voxels.", .cost = kPlan, .choices = {"linear", "tricubic"}}),
+        field<&T::interpolation>("interpolation", {.label = "Interpolation",
+                                                   .help = "Between voxels.",
+                                                   .cost = kPlan,
+                                                   .choices = {"auto", "linear", "tricubic", "smooth"}}),
         field<&T::earlyTermination>("early_termination",
                                     {.label = "Early end",
                                      .help = "A ray ends where less than this share of light is left; 0: never.",

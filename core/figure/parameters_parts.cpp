@@ -26,6 +26,10 @@ std::span<const Field> fieldsOf<Contours>() {
         field<&T::curvatureControlled>(
             "curvature_controlled",
             {.label = "Even width", .help = "The pen keeps its width on flat and bent surfaces alike.", .cost = kPlan}),
+        field<&T::curvature>("curvature", {.label = "Curvature",
+                                           .help = "Measured from second derivatives, or from two normals on the ray.",
+                                           .cost = kPlan,
+                                           .choices = {"hessian", "normals"}}),
         field<&T::probeVoxels>("probe_voxels", {.label = "Probe",
                                                 .help = "Distance over which the curvature is measured.",
                                                 .unit = "voxels",

@@ -39,12 +39,16 @@ LIMNER_OPTICS_BEGIN
 /// What a scalar type T of the optics templates has to offer. `double` and `float` have it here (their mask is bool); a
 /// SIMD vector type brings its own in its namespace, where argument-dependent lookup finds them:
 /// T(double) · + - * / and unary - · comparisons < <= > >= giving a mask · select(mask, T, T) ·
-/// min, max, abs, sqrt, expm1, log1p, pow.
+/// min, max, abs, sqrt, exp, expm1, log1p, exp2, log2, pow, atan2.
 /// The formulas never branch on data: both sides are evaluated, and both must be harmless to evaluate.
 
 using std::abs;
+using std::atan2;
+using std::exp;
+using std::exp2;
 using std::expm1;
 using std::log1p;
+using std::log2;
 using std::max;
 using std::min;
 using std::pow;

@@ -70,7 +70,7 @@ double nodeIndexAt(const std::vector<TransferNode>& nodes, double s) {
     return p.below == 0 ? 0 : static_cast<double>(p.below - 1) + p.weight;
 }
 
-TransferTable bakeTransfer(const Layer& layer, const Volume& volume) {
+TransferTable bakeTransfer(const Layer& layer, const Volume& volume, const AxisRanges& /*ranges*/) {
     TransferTable table;
     table.low = volume.range().low;
     table.high = volume.range().high;

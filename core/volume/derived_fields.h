@@ -1,0 +1,43 @@
+#pragma once
+
+#include "core/base/task.h"
+#include "core/volume/volume.h"
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace limner {
+
+/// Fields computed once per volume for figures that need them. All are volumes on the grid of their source, so that a
+/// backend reads them at the place where it reads the voxels. Deterministic, parallel, thread-safe; throw
+/// Error(cancelled) and Error(noResources).
+
+/// Coefficients of the cubic B-spline that passes through the voxels (recursive prefilter of Unser 1999, mirrored
+/// borders). Kept as int16 with a slope and intercept of their own (16 bits over the coefficients' range), as float32
+/// for float32 sources. `range()` is the coefficients'.
+std::shared_ptr<const Volume> splineCoefficients(const Volume& source, Task& task);
+
+/// Gaussian blur; sigma in voxels along each axis, 0: none. int16, or float32 for float32 sources.
+std::shared_ptr<const Volume> gaussianBlurred(const Volume& source, const glm::dvec3& sigmaVoxels, Task& task);
+
+/// Exact Euclidean distance in mm (Felzenszwalb and Huttenlocher 2012, anisotropic spacing) from every voxel centre to
+/// the nearest voxel of the label; 0 inside; int16. Nothing where no voxel has the label.
+std::shared_ptr<const Volume> distanceToLabel(const Volume& labels, int label, Task& task);
+
+/// The source on another grid: trilinear, int16 with the source's range (float32 sources too); outside the source its
+/// lowest value. Grids of any direction and spacing.
+std::shared_ptr<const Volume> resampledValues(const Volume& source, const Grid& grid, Task& task);
+
+/// Slot of the label of every voxel of `grid` (nearest voxel of `labels`), uint8: `slotOf[label]`, 0 for labels that it
+/// has not and outside. At most 255 slots.
+std::shared_ptr<const Volume> labelSlots(const Volume& labels, const Grid& grid,
+                                         const std::map<int, std::uint8_t>& slotOf, Task& task);
+
+/// Label numbers that occur, rising, with their voxel counts. Nothing where the volume is no label volume: more than
+/// 65536 different numbers, or fractions.
+std::optional<std::map<int, std::size_t>> labelCounts(const Volume& labels);
+
+} // namespace limner
