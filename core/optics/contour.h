@@ -37,6 +37,14 @@ T contourPush(const T& radius, const T& facing, const T& width) {
     return select(on, select(rim, T(1), min(T(1), pushed)), r);
 }
 
+/// Ink of a contour that is drawn over a colour rather than taken from a sphere's rim: 1 on it, falling to 0 over the
+/// last tenth of its width, so that its edge is not a staircase.
+template <typename T>
+T contourCoverage(const T& facing, const T& width) {
+    const T inner = T(0.9) * width;
+    return select(width > T(0), T(1) - smoothStep(inner, width, facing), T(0));
+}
+
 /// Angle between two vectors of any length over the distance between them; 0 where one of them vanishes. As
 /// 2 atan2(|n0 - n1|, |n0 + n1|) of the unit vectors: the arc cosine loses half its digits near 1.
 template <typename T>
