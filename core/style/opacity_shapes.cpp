@@ -93,8 +93,16 @@ PreparedShape::PreparedShape(const OpacityShape& shape)
     x_ = sideOf(shape.x);
     y_ = sideOf(shape.y);
     if (kind_ == Kind::polygon) {
+        const auto corner = [&](std::size_t k) {
+            return glm::dvec2(x_.normalised(shape.x[k]), y_.normalised(shape.y[k]));
+        };
         for (std::size_t k = 0; k < shape.x.size(); ++k) {
-            polygon_.emplace_back(x_.normalised(shape.x[k]), y_.normalised(shape.y[k]));
+            const glm::dvec2 start = corner(k);
+            const glm::dvec2 end = corner((k + 1) % shape.x.size());
+            const glm::dvec2 along = end - start;
+            const double length2 = glm::dot(along, along);
+            edges_.push_back({start, along, length2 > 0 ? along / length2 : glm::dvec2(0),
+                              along.y != 0 ? along.x / along.y : 0, end.y});
         }
     }
 }
@@ -133,17 +141,13 @@ double PreparedShape::polygonAt(double x, double y) const {
     const glm::dvec2 p(x_.normalised(x), y_.normalised(y));
     bool inside = false;
     double nearest2 = std::numeric_limits<double>::infinity();
-    glm::dvec2 a = polygon_.back();
-    for (const glm::dvec2& b : polygon_) {
-        const glm::dvec2 edge = b - a;
-        if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / edge.y * edge.x) {
+    for (const Edge& edge : edges_) {
+        const glm::dvec2 to = p - edge.start;
+        if ((edge.start.y > p.y) != (edge.endY > p.y) && to.x < to.y * edge.slope) {
             inside = !inside;
         }
-        const double length2 = glm::dot(edge, edge);
-        const double along = length2 > 0 ? std::clamp(glm::dot(p - a, edge) / length2, 0.0, 1.0) : 0;
-        const glm::dvec2 off = p - a - along * edge;
+        const glm::dvec2 off = to - std::clamp(glm::dot(to, edge.perLength2), 0.0, 1.0) * edge.along;
         nearest2 = std::min(nearest2, glm::dot(off, off));
-        a = b;
     }
     // What rounding alone may put beside an edge is on it.
     constexpr double kOnEdge2 = 1e-28;
@@ -162,18 +166,22 @@ double PreparedShape::maskAt(double x, double y) const {
     return unit(low + row.weight * (along(row.second) - low));
 }
 
-double shapesOpacityAt(const std::vector<PreparedShape>& shapes, double x, double y) {
-    double greatest = shapes.empty() ? 1 : 0;
-    for (const PreparedShape& shape : shapes) {
-        if (shape.opacity() > greatest) {
-            greatest = std::max(greatest, shape.opacity() * shape.membershipAt(x, y));
-        }
-    }
-    return greatest;
+PreparedShapes::PreparedShapes(const std::vector<OpacityShape>& shapes)
+    : none_(shapes.empty()), strongestFirst_(shapes.begin(), shapes.end()) {
+    std::erase_if(strongestFirst_, [](const PreparedShape& shape) { return !(shape.opacity() > 0); });
+    std::sort(strongestFirst_.begin(), strongestFirst_.end(),
+              [](const PreparedShape& a, const PreparedShape& b) { return a.opacity() > b.opacity(); });
 }
 
-std::vector<PreparedShape> preparedShapes(const std::vector<OpacityShape>& shapes) {
-    return {shapes.begin(), shapes.end()};
+double PreparedShapes::opacityAt(double x, double y) const {
+    double greatest = none_ ? 1 : 0;
+    for (const PreparedShape& shape : strongestFirst_) {
+        if (shape.opacity() <= greatest) {
+            break; // neither this one nor a weaker one adds anything
+        }
+        greatest = std::max(greatest, shape.opacity() * shape.membershipAt(x, y));
+    }
+    return greatest;
 }
 
 } // namespace limner

@@ -28,6 +28,15 @@ class PreparedShape {
         [[nodiscard]] double normalised(double at) const;
     };
 
+    /// A polygon's edge in the normalised plane.
+    struct Edge {
+        glm::dvec2 start;
+        glm::dvec2 along;
+        glm::dvec2 perLength2; ///< `along` over its squared length; 0 for an edge without length
+        double slope = 0;      ///< dx / dy
+        double endY = 0;
+    };
+
     static Kind kindOf(const OpacityShape& shape);
     static Side sideOf(const std::vector<double>& corners);
     [[nodiscard]] double rectangleAt(double x, double y) const;
@@ -41,12 +50,19 @@ class PreparedShape {
     Side x_;
     Side y_;
     double soft_;
-    std::vector<glm::dvec2> polygon_; ///< its points, normalised
+    std::vector<Edge> edges_; ///< of a polygon
 };
 
-/// The greatest opacity of the shapes at a position, 1 where there are none.
-double shapesOpacityAt(const std::vector<PreparedShape>& shapes, double x, double y);
+/// The shapes of a transfer function. Thread-safe.
+class PreparedShapes {
+  public:
+    explicit PreparedShapes(const std::vector<OpacityShape>& shapes);
+    /// The greatest opacity of the shapes at a position, 1 where there are none.
+    [[nodiscard]] double opacityAt(double x, double y) const;
 
-std::vector<PreparedShape> preparedShapes(const std::vector<OpacityShape>& shapes);
+  private:
+    bool none_;
+    std::vector<PreparedShape> strongestFirst_;
+};
 
 } // namespace limner

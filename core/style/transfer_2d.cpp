@@ -67,8 +67,8 @@ double opacity2dAt(const Transfer& transfer, double x, double y) {
     if (!axis) {
         return opacityAt(transfer.opacity, *first);
     }
-    const std::vector<PreparedShape> shapes = preparedShapes(transfer.opacity2d);
-    return std::clamp(planeCurveAt(transfer, *first) * shapesOpacityAt(shapes, *first, *second), 0.0, 1.0);
+    const PreparedShapes shapes(transfer.opacity2d);
+    return std::clamp(planeCurveAt(transfer, *first) * shapes.opacityAt(*first, *second), 0.0, 1.0);
 }
 
 } // namespace limner

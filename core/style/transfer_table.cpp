@@ -170,7 +170,7 @@ TransferTable bakeLabels(const Layer& layer, const Volume& volume) {
 
 void fillPlane(TransferTable& table, const Layer& layer, const std::vector<double>& rowNodes, bool swapped) {
     const Transfer& transfer = layer.transfer;
-    const std::vector<PreparedShape> shapes = preparedShapes(transfer.opacity2d);
+    const PreparedShapes shapes(transfer.opacity2d);
     const std::vector<double> xs = entryPositions(table);
     std::vector<double> curve(xs.size(), 1);
     if (!swapped) {
@@ -179,7 +179,7 @@ void fillPlane(TransferTable& table, const Layer& layer, const std::vector<doubl
     fillRows(table, rowNodes, [&](double y, float* entries) {
         const double curveOfRow = swapped ? planeCurveAt(transfer, y) : 1;
         for (std::size_t k = 0; k < xs.size(); ++k) {
-            const double shape = swapped ? shapesOpacityAt(shapes, y, xs[k]) : shapesOpacityAt(shapes, xs[k], y);
+            const double shape = swapped ? shapes.opacityAt(y, xs[k]) : shapes.opacityAt(xs[k], y);
             entries[k] = layerOpacity(layer, std::clamp(curve[k] * curveOfRow * shape, 0.0, 1.0));
         }
     });
