@@ -45,14 +45,18 @@ T contourCoverage(const T& facing, const T& width) {
     return select(width > T(0), T(1) - smoothStep(inner, width, facing), T(0));
 }
 
-/// Angle between two vectors of any length over the distance between them; 0 where one of them vanishes. As
-/// 2 atan2(|n0 - n1|, |n0 + n1|) of the unit vectors: the arc cosine loses half its digits near 1.
+/// Angle between two vectors of any length (whose squares neither overflow nor vanish) over the distance between them;
+/// 0 where one of them vanishes or the distance does. As atan2(|n0 x n1|, n0.n1): the arc cosine loses half its digits
+/// near 1, |n0 - n1| takes a difference of lengths for an angle. The cross product is that with n1 - n0, which nearly
+/// equal vectors lose no digit of.
 template <typename T>
 T curvatureOfNormals(const Vector3<T>& n0, const Vector3<T>& n1, const T& distance) {
-    const Vector3<T> minus = {n0.x - n1.x, n0.y - n1.y, n0.z - n1.z};
-    const Vector3<T> plus = {n0.x + n1.x, n0.y + n1.y, n0.z + n1.z};
-    const T angle = T(2) * atan2(sqrt(dot(minus, minus)), sqrt(dot(plus, plus)));
-    return angle / distance;
+    const Vector3<T> step = {n1.x - n0.x, n1.y - n0.y, n1.z - n0.z};
+    const Vector3<T> cross = {n0.y * step.z - n0.z * step.y, n0.z * step.x - n0.x * step.z,
+                              n0.x * step.y - n0.y * step.x};
+    const T angle = atan2(sqrt(dot(cross, cross)), dot(n0, n1));
+    const auto apart = distance > T(0);
+    return select(apart, angle / select(apart, distance, T(1)), T(0));
 }
 
 /// The second derivatives of a field.
