@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/figure/figure.h"
+#include "core/style/transfer_function.h"
 #include "core/volume/volume.h"
 
 #include <cstdint>

@@ -7,10 +7,12 @@
 #define LIMNER_LAYER_INL_H
 #endif
 
-#include "core/optics/contour.h"
-#include "core/optics/transparency.h"
-#include "renderer/cpu/facts-inl.h"
+#include "renderer/cpu/facts-inl.h" // names the target: before the formulas
 #include "renderer/cpu/style-inl.h"
+
+#include "core/optics/contour.h"
+#include "core/optics/shading.h"
+#include "core/optics/transparency.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace limner::HWY_NAMESPACE {

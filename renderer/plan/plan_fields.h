@@ -4,7 +4,8 @@
 #include "core/volume/derived_fields.h"
 #include "renderer/plan/plan_layer.h"
 
-#include <optional>
+#include <algorithm>
+#include <map>
 #include <utility>
 #include <vector>
 
