@@ -154,6 +154,18 @@ TEST(LabelSlots, StopWhenCancelled) {
     EXPECT_THROW(resampledValues(*labels, labels->grid(), task), Error);
 }
 
+TEST(ResampledValues, SayWhenMemoryDoesNotSuffice) {
+    const auto source = makeVolume<std::uint8_t>(gridOf({4, 4, 4}), VoxelType::uint8, [](glm::ivec3) { return 1; });
+    const Grid vast = gridOf(glm::ivec3(1 << 21)); // 2^63 voxels: refused before an allocator is asked
+    Task task;
+    try {
+        resampledValues(*source, vast, task);
+        FAIL() << "got memory that no machine has";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::noResources);
+    }
+}
+
 using Counts = std::map<int, std::size_t>;
 
 TEST(LabelCounts, CountsWhatOccurs) {
