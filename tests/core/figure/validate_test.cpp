@@ -141,12 +141,15 @@ Figure planeFigure() {
     return figure;
 }
 
-TEST(Validate, FaultsOfPlanesAreFatal) {
+TEST(Validate, SoundPlanesHaveNoFault) {
     const std::vector<Problem> problems = validateFigure(planeFigure());
     for (const Problem& problem : problems) {
         EXPECT_FALSE(problem.fatal) << problem.pointer << ": " << problem.why;
         EXPECT_EQ(problem.pointer.find("opacity"), std::string::npos) << problem.pointer;
     }
+}
+
+TEST(Validate, FaultsOfShapesAreFatal) {
     using ShapeEdit = std::function<void(std::vector<OpacityShape>&)>;
     const std::pair<const char*, ShapeEdit> shapes[] = {
         {"/0/shape", [](auto& s) { s[0].shape = "blob"; }},
@@ -184,6 +187,9 @@ TEST(Validate, FaultsOfPlanesAreFatal) {
         edit(figure.layers[0].transfer.opacity2d);
         EXPECT_TRUE(hasProblem(figure, std::string("/layers/0/transfer/opacity_2d") + place, true)) << place;
     }
+}
+
+TEST(Validate, FaultsOfPlanesAreFatal) {
     const std::pair<const char*, std::function<void(Transfer&)>> parts[] = {
         {"/axes/0", [](Transfer& t) { t.axes[0] = "smell"; }},
         {"/axes/1", [](Transfer& t) { t.axes[1] = "value"; }},
