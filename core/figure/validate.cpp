@@ -1,4 +1,6 @@
 #include "core/figure/figure_json.h"
+#include "core/figure/quantity.h"
+#include "core/figure/validate_transfer.h"
 
 #include <glm/geometric.hpp>
 
@@ -116,6 +118,9 @@ class Validator {
             if (style.file.empty() && style.sphere == nullptr) {
                 fatal(pointer + "/file", "the style has no picture", "name a picture, or bundled:ID");
             }
+            if (style.texture && style.texture->file.empty() && style.texture->tile == nullptr) {
+                fatal(pointer + "/texture/file", "the texture has no picture", "name a picture, or bundled:ID");
+            }
         }
     }
 
@@ -128,11 +133,16 @@ class Validator {
 
     void checkLayer(const Layer& layer, const std::string& pointer) {
         const Transfer& transfer = layer.transfer;
+        checkTransferAxes(figure_, transfer, pointer + "/transfer", problems_);
         if (transfer.kind == TransferKind::oneDimensional) {
             checkNodes(transfer, pointer + "/transfer/nodes");
             checkCurve(transfer.opacity, pointer + "/transfer/opacity");
         } else {
             checkGrid(transfer, pointer + "/transfer");
+            checkOpacityShapes(transfer, pointer + "/transfer", problems_);
+            if (!transfer.opacity.empty()) {
+                checkCurve(transfer.opacity, pointer + "/transfer/opacity");
+            }
         }
         if (transfer.grid && !transfer.nodes.empty()) {
             note(pointer + "/transfer/nodes", "there are nodes and a grid of nodes; only one is kept in a file",
@@ -201,10 +211,6 @@ class Validator {
     }
 
     void checkGrid(const Transfer& transfer, const std::string& pointer) {
-        if (transfer.axes.size() != 2) {
-            fatal(pointer + "/axes", "there are " + std::to_string(transfer.axes.size()) + " axes",
-                  "name two, such as [\"value\", \"gradient\"]");
-        }
         if (!transfer.grid || transfer.grid->x.empty() || transfer.grid->y.empty()) {
             fatal(pointer + "/nodes", "there is no grid of nodes", "give x, y and styles");
             return;
@@ -222,12 +228,20 @@ class Validator {
         for (std::size_t y = 0; y < grid.styles.size(); ++y) {
             fits = fits && grid.styles[y].size() == grid.x.size();
             for (std::size_t x = 0; x < grid.styles[y].size(); ++x) {
-                checkStyleId(grid.styles[y][x], item(item(pointer + "/nodes/styles", y), x));
+                checkCell(grid.styles[y][x], item(item(pointer + "/nodes/styles", y), x));
             }
         }
         if (!fits) {
             fatal(pointer + "/nodes/styles", "the rows do not fit the grid's x and y",
                   "a row per y with a style per x");
+        }
+    }
+
+    void checkCell(const std::string& cell, const std::string& pointer) {
+        if (!cell.starts_with('#')) {
+            checkStyleId(cell, pointer);
+        } else if (!plainColour(cell)) {
+            fatal(pointer, "\"" + cell + "\" is no colour", "write #rrggbb or the id of a style");
         }
     }
 

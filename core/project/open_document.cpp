@@ -63,6 +63,9 @@ class Resolver {
             if (style.sphere == nullptr) {
                 loadEntry(style);
             }
+            if (style.texture && style.texture->tile == nullptr) {
+                loadTexture(style.id, *style.texture);
+            }
         }
     }
 
@@ -157,17 +160,46 @@ class Resolver {
                 }
                 return;
             }
-            const ArchiveEntry* entry = archive_ ? archive_->find(style.file) : nullptr;
-            std::error_code ignored;
-            if (entry != nullptr && entry->kind == EntryKind::style) {
-                const TemporaryFolder temporary;
-                style.sphere = loadStyle(unpack(*entry, temporary)).sphere;
-            } else if (!archive_ && fs::is_regular_file(folder_ / style.file, ignored)) {
-                style.sphere = loadStyle(folder_ / style.file).sphere;
-            } else {
+            const bool there =
+                withPicture(style.file, [&](const fs::path& picture) { style.sphere = loadStyle(picture).sphere; });
+            if (!there) {
                 note("the style \"" + style.id + "\": the picture " + style.file + " is not there");
             }
         });
+    }
+
+    void loadTexture(const std::string& id, StyleTexture& texture) {
+        const std::string what = "the texture of the style \"" + id + "\"";
+        attempt(what, [&] {
+            if (texture.file.starts_with(kBundledPrefix)) {
+                texture.tile = findBundledTexture(texture.file.substr(std::string(kBundledPrefix).size()));
+                if (texture.tile == nullptr) {
+                    note(what + ": this version has no " + texture.file);
+                }
+                return;
+            }
+            const bool there =
+                withPicture(texture.file, [&](const fs::path& picture) { texture.tile = loadTextureTile(picture); });
+            if (!there) {
+                note(what + ": the picture " + texture.file + " is not there");
+            }
+        });
+    }
+
+    /// Calls `load` with a picture from inside the project or beside the figure; false where it is in neither.
+    template <class Load>
+    bool withPicture(const std::string& file, const Load& load) {
+        const ArchiveEntry* entry = archive_ ? archive_->find(file) : nullptr;
+        std::error_code ignored;
+        if (entry != nullptr && entry->kind == EntryKind::style) {
+            const TemporaryFolder temporary;
+            load(unpack(*entry, temporary));
+        } else if (!archive_ && fs::is_regular_file(folder_ / file, ignored)) {
+            load(folder_ / file);
+        } else {
+            return false;
+        }
+        return true;
     }
 
     /// Under a name of our own; only the ending, from a short list, is the entry's.
