@@ -70,7 +70,8 @@ std::vector<FormulaVector> readFormulaVectors(const std::filesystem::path& path)
     std::ifstream file(path, std::ios::binary);
     std::vector<char> text(kLongestLine);
     if (!file || std::filesystem::is_directory(path)) {
-        throw Error(ErrorKind::badInput, {"cannot read the test vectors", path.string(), "no file there", ""});
+        throw Error(ErrorKind::badInput,
+                    {"cannot read the test vectors", path.string(), "no file there", "name a file of JSON lines"});
     }
     std::vector<FormulaVector> vectors;
     std::size_t number = 1;
@@ -78,7 +79,8 @@ std::vector<FormulaVector> readFormulaVectors(const std::filesystem::path& path)
         if (number > kMostLines) {
             refuse(path, number, "over a million lines");
         }
-        const std::string line(text.data());
+        const auto read = static_cast<std::size_t>(file.gcount()); // with the line break, where there is one
+        const std::string line(text.data(), file.eof() ? read : read - 1);
         if (line.find_first_not_of(" \t\r") == std::string::npos) {
             continue;
         }
