@@ -29,6 +29,7 @@ TEST(SafePower, HasItsEnds) {
     EXPECT_NEAR(spow(-0.3, 2.0), -0.09, 1e-16);
     EXPECT_NEAR(spow(0.3, 2.0), 0.09, 1e-16);
     EXPECT_EQ(spow(0.0, 0.5), 0);
+    EXPECT_TRUE(std::isnan(powc(kNaN, 0.5)));
 }
 
 TEST(FiniteOr, ReplacesWhatIsNotFinite) {
@@ -65,11 +66,13 @@ TEST(Curvature, KnowsNoLengths) {
     const Vector3<double> b{0.31, 0.38, 0.52};
     const double expected = curvatureOfNormals<double>(a, b, 2);
     EXPECT_NEAR(curvatureOfNormals<double>(scaled(a, 1e20), scaled(b, 1e-20), 2), expected, 1e-13 * expected);
+    EXPECT_NEAR(curvatureOfNormals<double>(scaled(a, 1e-20), scaled(b, 1e20), 2), expected, 1e-13 * expected);
 }
 
 TEST(Transparency, TakesAnUnclampedCosineAndGradient) {
     EXPECT_EQ(illustrativeOpacity(1.0, 0.25, 1 + 1e-6, 0.0, 0.0), illustrativeOpacity(1.0, 0.25, 1.0, 0.0, 0.0));
     EXPECT_EQ(illustrativeOpacity(1.0, 0.25, 0.9, 0.0, 3.0), 0.5);
+    EXPECT_EQ(illustrativeOpacity(1.0, kNaN, 0.9, 0.0, 0.5), 0); // what has no opacity is not seen
 }
 
 TEST(Measures, StayInTheirRanges) {
@@ -103,7 +106,7 @@ TEST(Measures, TheirSumIsBounded) {
 
 TEST(Measures, WhatCannotBeSeenIsNotImportant) {
     EXPECT_EQ(importanceOfVisible(5.0, 0.02, 0.02), 0);
-    EXPECT_EQ(importanceOfVisible(5.0, 0.05, 0.02), 2.5);
+    EXPECT_NEAR(importanceOfVisible(5.0, 0.05, 0.02), 2.5, 1e-15);
     EXPECT_EQ(importanceOfVisible(5.0, 0.08, 0.02), 5);
     EXPECT_EQ(importanceOfVisible(5.0, 0.0, 0.0), 5);
 }

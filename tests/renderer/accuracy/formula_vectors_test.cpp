@@ -220,6 +220,9 @@ TEST_P(Formulas, CompositionWithoutImportanceIsTheOrdinary) {
 
 TEST_P(Formulas, WhatIsNotANumberDoesNoHarm) {
     EXPECT_EQ(result(Formula::stippleBoundary, {kNaN, 0.5, 0.5, 0.5, 1}), 1);
+    EXPECT_EQ(result(Formula::stippleResolution, {kNaN, 1, 1, 2}), 1);
+    EXPECT_EQ(result(Formula::stippleResolution, {std::numeric_limits<double>::infinity(), 1, 1, 2}), 1);
+    EXPECT_EQ(result(Formula::transparency, {1, kNaN, 0.9, 0.1, 0.5}), 0);
     EXPECT_EQ(result(Formula::extinctionImportance, {kNaN}), 0);
     const auto ray = results(Formula::importanceRay, {1, 0.5, 0, 0.25, kNaN, 3});
     EXPECT_EQ(ray[0], 0.5);
