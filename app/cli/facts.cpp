@@ -16,6 +16,28 @@ std::string factLine(const std::string& label, const std::string& text) {
     return line + text + "\n";
 }
 
+std::string textTable(const std::vector<std::vector<std::string>>& rows) {
+    std::vector<std::size_t> widths;
+    for (const auto& row : rows) {
+        widths.resize(std::max(widths.size(), row.size()), 0);
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            widths[i] = std::max(widths[i], row[i].size());
+        }
+    }
+    std::string text;
+    for (const auto& row : rows) {
+        std::string line;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            line += row[i];
+            if (i + 1 < row.size()) {
+                line.append(widths[i] - row[i].size() + 2, ' ');
+            }
+        }
+        text += line + "\n";
+    }
+    return text;
+}
+
 std::string numberText(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.6g", value);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace limner::cli {
 
@@ -17,6 +18,9 @@ void printFacts(Console& console, const Json& facts) {
 
 /// `label: text`, labels padded to one column.
 std::string factLine(const std::string& label, const std::string& text);
+
+/// Rows as lines, columns as wide as their longest text.
+std::string textTable(const std::vector<std::vector<std::string>>& rows);
 
 /// A number with as many digits as it needs, at most six.
 std::string numberText(double value);

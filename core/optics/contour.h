@@ -47,13 +47,14 @@ T contourCoverage(const T& facing, const T& width) {
 
 /// Angle between two vectors of any length (whose squares neither overflow nor vanish) over the distance between them;
 /// 0 where one of them vanishes or the distance does. As atan2(|n0 x n1|, n0.n1): the arc cosine loses half its digits
-/// near 1, |n0 - n1| takes a difference of lengths for an angle. The cross product is that with n1 - n0, which nearly
-/// equal vectors lose no digit of.
+/// near 1, |n0 - n1| takes a difference of lengths for an angle. The cross product is the shorter one's with n1 - n0,
+/// which nearly equal vectors lose no digit of, and neither do very different ones.
 template <typename T>
 T curvatureOfNormals(const Vector3<T>& n0, const Vector3<T>& n1, const T& distance) {
+    const auto second = dot(n1, n1) < dot(n0, n0);
+    const Vector3<T> n = {select(second, n1.x, n0.x), select(second, n1.y, n0.y), select(second, n1.z, n0.z)};
     const Vector3<T> step = {n1.x - n0.x, n1.y - n0.y, n1.z - n0.z};
-    const Vector3<T> cross = {n0.y * step.z - n0.z * step.y, n0.z * step.x - n0.x * step.z,
-                              n0.x * step.y - n0.y * step.x};
+    const Vector3<T> cross = {n.y * step.z - n.z * step.y, n.z * step.x - n.x * step.z, n.x * step.y - n.y * step.x};
     const T angle = atan2(sqrt(dot(cross, cross)), dot(n0, n1));
     const auto apart = distance > T(0);
     return select(apart, angle / select(apart, distance, T(1)), T(0));

@@ -97,13 +97,13 @@ T finiteOr(const T& x, const T& other) {
     return select(x - x >= T(0), x, other); // the difference is 0 or no number
 }
 
-/// x^y with its ends defined: 1 for y = 0, 0 for x <= 0 (y > 0; numerics.md, powc). Exponents below 0 belong to no
-/// formula.
+/// x^y with its ends defined: 1 for y = 0, 0 for x <= 0 (y > 0; numerics.md, powc). What is no number stays none.
+/// Exponents below 0 belong to no formula.
 template <typename T>
 T powc(const T& x, const T& y) {
-    const auto positive = x > T(0);
-    const T power = exp2(y * log2(select(positive, x, T(1))));
-    return select(abs(y) > T(0), select(positive, power, T(0)), T(1));
+    const auto nothing = x <= T(0);
+    const T power = exp2(y * log2(select(nothing, T(1), x)));
+    return select(abs(y) > T(0), select(nothing, T(0), power), T(1));
 }
 
 /// sign(x) powc(|x|, y): monotonic in x for every y.

@@ -24,7 +24,7 @@ T illustrativeOpacity(const T& directional, const T& opacity, const T& facing, c
                       const T& gradientMagnitude) {
     const T overContour = max(T(0), clampedToUnit(facing) - width);
     const T exponent = T(0.5) + overContour * (T(1) - clampedToUnit(gradientMagnitude));
-    return directional * powc(min(T(1), opacity), exponent);
+    return directional * select(opacity > T(0), powc(min(T(1), opacity), exponent), T(0));
 }
 
 LIMNER_OPTICS_END
