@@ -183,6 +183,7 @@ HWY_INLINE NodeBlend slotsOf(const std::int32_t* slotOfNode, const NodeBlend& no
     if (nodes.count == 2) {
         const Mask same = hn::RebindMask(kF, hn::Eq(slots.node[0], slots.node[1]));
         slots.weight[1] = hn::IfThenZeroElse(same, slots.weight[1]);
+        slots.weight[0] = hn::Sub(splat(1), slots.weight[1]);
         if (hn::AllFalse(kF, hn::Gt(slots.weight[1], splat(0)))) {
             slots.count = 1;
         }
