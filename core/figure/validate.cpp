@@ -222,6 +222,9 @@ class Validator {
         for (std::size_t y = 0; y < grid.styles.size(); ++y) {
             fits = fits && grid.styles[y].size() == grid.x.size();
             for (std::size_t x = 0; x < grid.styles[y].size(); ++x) {
+                if (grid.styles[y][x].starts_with('#')) {
+                    continue; // a plain colour
+                }
                 checkStyleId(grid.styles[y][x], item(item(pointer + "/nodes/styles", y), x));
             }
         }

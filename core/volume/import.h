@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -35,7 +34,6 @@ struct ImportReport {
     std::string sha256Values; ///< of the stored numbers, little-endian, x fastest, before slope and intercept
     std::uintmax_t fileBytes = 0;
     double quantisationError = 0; ///< largest |kept - read| in the data's unit; 0: exact
-    std::map<std::string, std::string> labelNames;
     std::vector<SeriesSummary> series; ///< DICOM folders
     std::vector<std::string> warnings; ///< what was repaired or guessed, one line each
 };
