@@ -47,6 +47,7 @@ TEST_F(WithLabels, InfoListsTheLabelsOfALabelVolume) {
     EXPECT_NEAR(upper.at("ml").get<double>(), voxels * mm.x * mm.y * mm.z / 1000, 0.001 * voxels);
     const std::string text = run({"info", labels()}).out;
     EXPECT_NE(text.find("4 lower half: "), std::string::npos) << text;
+    EXPECT_NE(text.find("\n                7 upper half: "), std::string::npos) << text;
     EXPECT_EQ(text.find("nowhere"), std::string::npos);
     EXPECT_FALSE(run({"info", scan(), "--json"}).facts().contains("labels"));
     EXPECT_EQ(run({"info", scan(), "--labels", labels(), "--json"}).facts().at("labels").size(), 2U);
