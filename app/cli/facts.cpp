@@ -11,7 +11,7 @@ void printFactText(Console& console, const std::string& text) { console.print(te
 
 std::string factLine(const std::string& label, const std::string& text) {
     constexpr std::size_t kColumn = 16; // the longest label of any command
-    std::string line = label + ":";
+    std::string line = label.empty() ? "" : label + ":";
     line.resize(std::max(line.size() + 1, kColumn), ' ');
     return line + text + "\n";
 }

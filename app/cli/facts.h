@@ -16,7 +16,7 @@ void printFacts(Console& console, const Json& facts) {
     printFactText(console, facts.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
-/// `label: text`, labels padded to one column.
+/// `label: text`, labels padded to one column; an empty label: a line that goes on with the one above.
 std::string factLine(const std::string& label, const std::string& text);
 
 /// Rows as lines, columns as wide as their longest text.

@@ -75,6 +75,10 @@ std::span<const Field> fieldsOf<LabelReference>() {
     static const Field fields[] = {
         field<&T::path>(
             "path", {.label = "Labels", .help = "Volume of label numbers, relative to the project.", .cost = kFields}),
+        field<&T::absolutePath>("absolute_path", {.label = "Labels, full path",
+                                                  .help = "Tried when the project moved without its labels.",
+                                                  .cost = kNone,
+                                                  .omitDefault = true}),
         field<&T::names>("names", {.label = "Names", .help = "Name of each label number.", .cost = kNone}),
         field<&T::colours>("colours", {.label = "Colours",
                                        .help = "Colour of each label number, as #rrggbb.",

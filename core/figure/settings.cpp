@@ -288,6 +288,9 @@ void dropStale(const Figure& before, Figure& after) {
     dropStale(before.secondVolume, after.secondVolume);
     if (before.labels && after.labels && before.labels->path != after.labels->path) {
         after.labels->data = nullptr;
+        if (after.labels->absolutePath == before.labels->absolutePath) {
+            after.labels->absolutePath.clear();
+        }
     }
     for (std::size_t i = 0; i < std::min(before.styles.size(), after.styles.size()); ++i) {
         const bool moved = before.styles.size() != after.styles.size();

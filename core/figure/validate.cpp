@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -288,12 +289,11 @@ void addLayerParts(const Layer& layer, const std::string& pointer, std::vector<s
             lines.push_back(pointer + place + ": " + what + " kept but not drawn by this version");
         }
     };
-    kept(layer.transfer.kind == TransferKind::twoDimensional, "/transfer/kind",
-         "two-dimensional transfer functions are");
-    kept(layer.transfer.kind == TransferKind::oneDimensional && layer.transfer.axis != "value", "/transfer/axis",
-         "axes other than the value are");
-    kept(layer.contours.has_value(), "/contours", "contours are");
-    kept(layer.transparency == Transparency::illustrative, "/transparency", "illustrative transparency is");
+    const auto readsImportance = [&](const std::string& axis) { return axis == "importance"; };
+    kept(layer.transfer.kind == TransferKind::oneDimensional
+             ? readsImportance(layer.transfer.axis)
+             : std::any_of(layer.transfer.axes.begin(), layer.transfer.axes.end(), readsImportance),
+         "/transfer", "the axis \"importance\" is");
     kept(layer.tone.has_value(), "/tone", "tone shading is");
     kept(layer.silhouette.has_value(), "/silhouette", "the silhouette is");
     kept(layer.specular.has_value() && layer.shading != Shading::phong, "/specular",
@@ -302,7 +302,6 @@ void addLayerParts(const Layer& layer, const std::string& pointer, std::vector<s
     kept(layer.lineGradientOpacity.has_value(), "/line_gradient_opacity", "line opacity by gradient is");
     kept(layer.position.has_value(), "/position", "colour by position is");
     kept(layer.depthOfField.has_value(), "/depth_of_field", "depth of field is");
-    kept(layer.labels.has_value(), "/labels", "the choice of labels is");
 }
 
 } // namespace
@@ -314,22 +313,19 @@ std::vector<std::string> partsNotDrawn(const Figure& figure) {
             lines.push_back(std::string(pointer) + ": " + what + " kept but not drawn by this version");
         }
     };
-    kept(figure.labels.has_value(), "/labels", "labels are");
-    kept(figure.secondVolume.has_value(), "/second_volume", "the second scan is");
     for (std::size_t i = 0; i < figure.layers.size(); ++i) {
         if (figure.layers[i].visible) {
             addLayerParts(figure.layers[i], "/layers/" + std::to_string(i), lines);
         }
     }
+    for (std::size_t i = 0; i < figure.styles.size(); ++i) {
+        kept(figure.styles[i].texture.has_value(), ("/styles/" + std::to_string(i) + "/texture").c_str(),
+             "the style's texture is");
+    }
     kept(figure.importance.has_value(), "/importance", "importance is");
     kept(figure.stipple.has_value(), "/stipple", "stipples are");
     kept(figure.background.kind == "image", "/background/kind", "a picture as background is");
     kept(!figure.annotations.empty(), "/annotations", "annotations are");
-    const GradientEstimator gradient = figure.quality.gradient;
-    kept(gradient != GradientEstimator::central && gradient != GradientEstimator::automatic, "/quality/gradient",
-         "gradients other than central are");
-    kept(figure.quality.interpolation == Interpolation::tricubic, "/quality/interpolation",
-         "tricubic interpolation is");
     kept(figure.quality.tolerance.has_value(), "/quality/tolerance", "the tolerance is");
     return lines;
 }

@@ -2,11 +2,13 @@
 #include "core/figure/figure_json.h"
 #include "core/figure/presets.h"
 #include "core/project/archive.h"
+#include "core/project/label_volume.h"
 #include "core/project/project.h"
 
 #include <fstream>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 namespace limner {
 namespace {
@@ -36,6 +38,24 @@ std::string textOf(const fs::path& path) {
     std::ostringstream text;
     text << file.rdbuf();
     return text.str();
+}
+
+/// Where a referred file is: beside the project in `folder`, or where it was.
+std::optional<fs::path> foundIn(const fs::path& folder, const std::string& path, const std::string& absolute) {
+    if (path.starts_with(kBuiltinPrefix)) {
+        return fs::path(path);
+    }
+    std::error_code ignored;
+    for (const fs::path& candidate : {path.empty() ? fs::path() : folder / path, fs::path(absolute)}) {
+        if (!candidate.empty() && (fs::is_regular_file(candidate, ignored) || fs::is_directory(candidate, ignored))) {
+            return candidate;
+        }
+    }
+    return std::nullopt;
+}
+
+LabelRequest labelRequest(const Figure& figure, const ImportOptions& options) {
+    return {figure.volume ? figure.volume->data : nullptr, options.memoryBudget};
 }
 
 /// What a figure refers to is looked for here.
@@ -88,21 +108,6 @@ class Resolver {
         }
     }
 
-    /// Where a referred file is: beside the project, or where it was.
-    std::optional<fs::path> found(const std::string& path, const std::string& absolute) const {
-        if (path.starts_with(kBuiltinPrefix)) {
-            return fs::path(path);
-        }
-        std::error_code ignored;
-        for (const fs::path& candidate : {path.empty() ? fs::path() : folder_ / path, fs::path(absolute)}) {
-            if (!candidate.empty() &&
-                (fs::is_regular_file(candidate, ignored) || fs::is_directory(candidate, ignored))) {
-                return candidate;
-            }
-        }
-        return std::nullopt;
-    }
-
     /// `report`: of the main scan, which documents keep; null for others.
     void loadVolume(VolumeReference& reference, const std::string& what, ImportReport* report) {
         ImportOptions options = options_;
@@ -115,7 +120,7 @@ class Resolver {
                 imported = importVolume(unpack(*archive_->find(kEmbeddedName), temporary), ImportOptions{}, task_);
             });
         } else {
-            const std::optional<fs::path> path = found(reference.path, reference.absolutePath);
+            const std::optional<fs::path> path = foundIn(folder_, reference.path, reference.absolutePath);
             if (!path) {
                 note("the " + what + " " + reference.path + " was not found beside the figure" +
                      (reference.absolutePath.empty() ? "" : " nor at " + reference.absolutePath) +
@@ -139,14 +144,19 @@ class Resolver {
     }
 
     void loadLabels(LabelReference& reference) {
-        const std::optional<fs::path> path = found(reference.path, "");
+        const std::optional<fs::path> path = foundIn(folder_, reference.path, reference.absolutePath);
         if (!path) {
-            note("the labels " + reference.path + " were not found beside the figure");
+            note("the labels " + reference.path + " were not found beside the figure" +
+                 (reference.absolutePath.empty() ? "" : " nor at " + reference.absolutePath) +
+                 "; give their new place");
             return;
         }
-        ImportOptions options;
-        options.labels = true;
-        attempt("the labels", [&] { reference.data = importVolume(*path, options, task_).volume; });
+        attempt("the labels", [&] {
+            LabelReference loaded = openLabels(*path, labelRequest(document_.figure, options_), document_.notes, task_);
+            keepNames(reference, loaded);
+            loaded.path = reference.path;
+            reference = std::move(loaded);
+        });
     }
 
     void loadEntry(StyleEntry& style) {
@@ -237,10 +247,26 @@ Document documentFromText(const std::string& text, const fs::path& path) {
     return document;
 }
 
-Document documentFromVolume(const fs::path& path, const std::string& preset, const ImportOptions& options, Task& task) {
+/// Opens the labels that were asked for in the place of the figure's own.
+void replaceLabels(Document& document, const LabelReference& own, const OpenOptions& options, Task& task) {
+    LabelReference labels =
+        openLabels(options.labels, labelRequest(document.figure, options.import), document.notes, task);
+    if (!foundIn(document.path.parent_path(), own.path, own.absolutePath)) {
+        keepNames(own, labels); // the same labels in a new place
+    }
+    document.figure.labels = std::move(labels);
+}
+
+Document documentFromVolume(const fs::path& path, const OpenOptions& open, Task& task) {
+    const ImportOptions& options = open.import;
     Document document;
     ImportedVolume imported = importVolume(path, options, task);
-    document.figure = figureFromPreset(preset.empty() ? "auto" : preset, imported.volume, document.notes);
+    std::optional<LabelReference> labels;
+    if (!open.labels.empty()) {
+        labels = openLabels(open.labels, {imported.volume, options.memoryBudget}, document.notes, task);
+    }
+    document.figure =
+        figureFromPreset(open.preset.empty() ? "auto" : open.preset, imported.volume, document.notes, labels);
     VolumeReference reference;
     reference.path = path.string();
     if (!reference.path.starts_with(kBuiltinPrefix)) {
@@ -260,7 +286,7 @@ Document documentFromVolume(const fs::path& path, const std::string& preset, con
 
 } // namespace
 
-Document openDocument(const fs::path& path, const std::string& preset, const ImportOptions& options, Task& task) {
+Document openDocument(const fs::path& path, const OpenOptions& options, Task& task) {
     std::string text;
     if (looksLikeArchive(path)) {
         const Archive archive(path);
@@ -280,10 +306,17 @@ Document openDocument(const fs::path& path, const std::string& preset, const Imp
                      fs::exists(path.string() + "~", ignored) ? "there is a backup: " + path.string() + "~"
                                                               : "check the path"});
     } else {
-        return documentFromVolume(path, preset, options, task);
+        return documentFromVolume(path, options, task);
     }
     Document document = documentFromText(text, path);
-    resolveFigure(document, path.parent_path(), options, task);
+    LabelReference own;
+    if (!options.labels.empty() && document.figure.labels) {
+        own = *std::exchange(document.figure.labels, std::nullopt);
+    }
+    resolveFigure(document, path.parent_path(), options.import, task);
+    if (!options.labels.empty()) {
+        replaceLabels(document, own, options, task);
+    }
     return document;
 }
 

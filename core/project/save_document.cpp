@@ -93,6 +93,12 @@ class Contents {
         }
         placeVolume(figure_.volume, document.volumeReport, options.embedVolume);
         placeVolume(figure_.secondVolume, {}, false);
+        if (figure_.labels) {
+            placeBeside(figure_.labels->path, figure_.labels->absolutePath);
+            if (options.embedVolume) {
+                task.warn("the labels " + figure_.labels->path + " stay outside the project; keep them with it");
+            }
+        }
         placeStyles(document);
         placeOther(options);
         figureText_ = writeFigure(figure_);
@@ -156,13 +162,16 @@ class Contents {
             reference->sha256 = report.sha256Values;
             reference->bytes = static_cast<std::int64_t>(report.fileBytes);
         }
-        // Relative to the new place, so that project and scan may move together.
+        placeBeside(reference->path, reference->absolutePath);
+    }
+
+    /// Makes a path relative to the new place, so that project and scan may move together.
+    void placeBeside(std::string& path, const fs::path& absolute) const {
         std::error_code failure;
-        const fs::path absolute = reference->absolutePath;
         if (!absolute.empty() && fs::exists(absolute, failure)) {
             const fs::path folder = fs::weakly_canonical(fs::absolute(target_).parent_path(), failure);
             const fs::path relative = absolute.lexically_relative(folder);
-            reference->path = relative.empty() ? absolute.string() : relative.string();
+            path = relative.empty() ? absolute.string() : relative.string();
         }
     }
 

@@ -243,12 +243,8 @@ TEST(Validate, WhatAnAxisNeedsIsSaid) {
 
 TEST(Validate, PartsThatAreNotDrawnAreSaid) {
     const std::pair<const char*, Edit> cases[] = {
-        {"/labels", [](Figure& f) { f.labels.emplace(); }},
-        {"/second_volume", [](Figure& f) { f.secondVolume.emplace(); }},
-        {"/layers/0/transfer/kind", [](Figure& f) { f.layers[0].transfer.kind = TransferKind::twoDimensional; }},
-        {"/layers/0/transfer/axis", [](Figure& f) { f.layers[0].transfer.axis = "gradient"; }},
-        {"/layers/0/contours", [](Figure& f) { f.layers[0].contours.emplace(); }},
-        {"/layers/0/transparency", [](Figure& f) { f.layers[0].transparency = Transparency::illustrative; }},
+        {"/layers/0/transfer", [](Figure& f) { f.layers[0].transfer.axis = "importance"; }},
+        {"/styles/0/texture", [](Figure& f) { f.styles[0].texture.emplace().file = "bundled:paper"; }},
         {"/layers/0/tone", [](Figure& f) { f.layers[0].tone.emplace(); }},
         {"/layers/0/silhouette", [](Figure& f) { f.layers[0].silhouette.emplace(); }},
         {"/layers/0/specular", [](Figure& f) { f.layers[0].specular.emplace(); }},
@@ -256,13 +252,10 @@ TEST(Validate, PartsThatAreNotDrawnAreSaid) {
         {"/layers/0/line_gradient_opacity", [](Figure& f) { f.layers[0].lineGradientOpacity.emplace(); }},
         {"/layers/0/position", [](Figure& f) { f.layers[0].position.emplace(); }},
         {"/layers/0/depth_of_field", [](Figure& f) { f.layers[0].depthOfField.emplace(); }},
-        {"/layers/0/labels", [](Figure& f) { f.layers[0].labels.emplace(); }},
         {"/importance", [](Figure& f) { f.importance.emplace(); }},
         {"/stipple", [](Figure& f) { f.stipple.emplace(); }},
         {"/background/kind", [](Figure& f) { f.background.kind = "image"; }},
         {"/annotations", [](Figure& f) { f.annotations.emplace_back(); }},
-        {"/quality/gradient", [](Figure& f) { f.quality.gradient = GradientEstimator::sobel; }},
-        {"/quality/interpolation", [](Figure& f) { f.quality.interpolation = Interpolation::tricubic; }},
         {"/quality/tolerance", [](Figure& f) { f.quality.tolerance = 0.01; }},
     };
     for (const auto& [pointer, edit] : cases) {
@@ -274,7 +267,7 @@ TEST(Validate, PartsThatAreNotDrawnAreSaid) {
         EXPECT_TRUE(hasProblem(figure, pointer, false)) << pointer;
     }
     Figure hidden = soundFigure();
-    hidden.layers[0].contours.emplace();
+    hidden.layers[0].tone.emplace();
     hidden.layers[0].visible = false;
     EXPECT_TRUE(partsNotDrawn(hidden).empty());
 }
