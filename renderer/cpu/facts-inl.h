@@ -103,23 +103,25 @@ struct Facts {
 
     const VoxelField& field;
     const Place& place;
-    Vec3 q;    ///< position, in cells
-    Vec3 view; ///< unit, eye space, towards the viewer
+    Members& members; ///< room for what `measure` finds
+    Vec3 q;           ///< position, in cells
+    Vec3 view;        ///< unit, eye space, towards the viewer
     Floats tableEntry;
-    Floats part;             ///< share of a step that the sample stands for
-    Normal normal{};         ///< where some layer reads it; so are all that follow
-    Floats trusted{};        ///< 0: the normal means nothing, 1: it is sound
-    Floats unitMagnitude{};  ///< of the gradient, over the one that counts as 1
-    Floats bend{};           ///< curvature along the view by the Hessian, 1/mm
-    Floats turn{};           ///< the same by two normals on the ray
-    Floats depth = splat(1); ///< distance along the view over the target's
-    Members members{};
+    Floats part;            ///< share of a step that the sample stands for
+    Normal normal{};        ///< where some layer reads it; so are all that follow
+    Floats trusted{};       ///< 0: the normal means nothing, 1: it is sound
+    Floats unitMagnitude{}; ///< of the gradient, over the one that counts as 1
+    Floats bend{};          ///< curvature along the view by the Hessian, 1/mm
+    Floats turn{};          ///< the same by two normals on the ray
+    Floats depth{};         ///< distance along the view over the target's
 
     /// Measures what the scene's layers read, and nothing else.
     HWY_INLINE void measure() {
         const KernelScene& scene = field.scene;
         if (scene.readsNormal) {
             normal = normalAt(field, place, q, view);
+        }
+        if (scene.readsGradientScale) {
             trusted = trust(scene, normal.magnitude);
             unitMagnitude = hn::Min(hn::Mul(normal.magnitude, splat(scene.perGradientMax)), splat(1));
             if (scene.readsBend) {

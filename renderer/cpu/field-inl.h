@@ -46,6 +46,7 @@ struct Field {
     static constexpr int kSliceBytes = BrickLayout::kSlice * kBytes;
     static constexpr float kScale = kInteger ? 32767.0F : 1.0F;
     using Place = CellPlace<Offset>;
+    using OffsetType = Offset;
 
     /// Spline coefficients beside these voxels: see KernelScene::gradientOfOwnType.
     using Coefficient = std::conditional_t<kInteger, std::int16_t, float>;
@@ -85,6 +86,17 @@ struct Field {
                 place.offsets.at[lane] = bricks[lane] * brickBytes + locals[lane];
             }
         }
+        return place;
+    }
+
+    /// The place at a position whose cell is known by its (32-bit) offset.
+    static HWY_INLINE Place placeAt(const Vec3& q, Ints offsets) {
+        const auto inCell = [](Floats v) HWY_ATTR { return hn::Sub(v, toFloat(truncate(v))); };
+        Place place;
+        place.fx = inCell(q.x);
+        place.fy = inCell(q.y);
+        place.fz = inCell(q.z);
+        store(offsets, place.offsets);
         return place;
     }
 

@@ -112,7 +112,8 @@ struct KernelScene {
     float gradientFloor = 0;
     float perGradientMax = 1; ///< 1 / the gradient that counts as 1
 
-    bool readsNormal = false; ///< some layer does
+    bool readsNormal = false;        ///< some layer does
+    bool readsGradientScale = false; ///< beside the normal's direction
     bool readsBend = false;
     bool readsTurn = false;
     float probeMm = 1;                    ///< between the two normals of a turn

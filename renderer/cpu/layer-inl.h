@@ -78,7 +78,7 @@ class LayerEvaluation {
     HWY_INLINE void colourByValue(const Facts<Field>& facts, LaneColours& out) const {
         const Floats width = contourWidth(facts);
         if (layer_.shading != Shading::style && layer_.rows == 0) {
-            plainColours(facts, facts.tableEntry, width, out);
+            shadePlain(facts, width, PlainEntries(layer_.colours, facts.tableEntry), out);
         } else {
             const bool single = layer_.singleSlot >= 0;
             colour(facts, width, single ? NodeBlend{} : nodesOfLine(TablePlace(facts.tableEntry)), out);
@@ -256,8 +256,8 @@ class LayerEvaluation {
 
     HWY_INLINE void colour(const Facts<Field>& facts, Floats width, const NodeBlend& nodes, LaneColours& out) const {
         if (layer_.shading != Shading::style) {
-            nodeColours(layer_.nodeColours, nodes, out);
-            shadePlain(facts, width, out);
+            const PlainNodes plain(layer_.nodeColours, nodes);
+            shadePlain(facts, width, plain, out);
             return;
         }
         const SpherePlace place = diskPlace(facts, width);
@@ -294,28 +294,32 @@ class LayerEvaluation {
         return spherePlace(scene_.atlas, hn::Mul(x, stretch), hn::Mul(y, stretch));
     }
 
-    /// Phong's light and the contours' ink over colours that are there already.
-    HWY_INLINE void shadePlain(const Facts<Field>& facts, Floats width, LaneColours& out) const {
-        const bool phong = layer_.shading == Shading::phong;
-        if (!phong && !layer_.contours.on) {
-            return;
-        }
-        Floats factor = splat(1);
-        Floats gloss = splat(0);
-        if (phong) {
+    /// Phong's light and the contours' ink over plain colours, `plain.colour(lane)`.
+    template <typename Plain>
+    HWY_INLINE void shadePlain(const Facts<Field>& facts, Floats width, const Plain& plain, LaneColours& out) const {
+        const auto each = [&](const auto& shade) HWY_ATTR {
+            for (std::size_t lane = 0; lane < hn::Lanes(kF); ++lane) {
+                hn::Store(shade(plain.colour(lane), lane), kQuad, out.rgba + 4 * lane);
+            }
+        };
+        if (layer_.shading == Shading::phong) {
             const Floats lit = litPart(facts);
-            factor = hn::MulAdd(lit, splat(static_cast<float>(optics::kDiffuse)),
-                                splat(static_cast<float>(optics::kAmbient)));
-            gloss = hn::Mul(splat(layer_.specularStrength), power(lit, layer_.specularExponent));
+            const LaneFloats factor(hn::MulAdd(lit, splat(static_cast<float>(optics::kDiffuse)),
+                                               splat(static_cast<float>(optics::kAmbient))));
+            const LaneFloats gloss(hn::Mul(splat(layer_.specularStrength), power(lit, layer_.specularExponent)));
+            each([&](Quad c, std::size_t lane) HWY_ATTR {
+                const Quad shaded = hn::MulAdd(c, hn::Set(kQuad, factor.at[lane]), hn::Set(kQuad, gloss.at[lane]));
+                return hn::Min(shaded, hn::Set(kQuad, 1.0F));
+            });
+        } else {
+            each([](Quad c, std::size_t) HWY_ATTR { return c; });
         }
-        const LaneFloats factors(factor);
-        const LaneFloats glosses(gloss);
-        const LaneFloats paper(uninked(facts, width));
-        for (std::size_t lane = 0; lane < hn::Lanes(kF); ++lane) {
-            const Quad c = hn::Load(kQuad, out.rgba + 4 * lane);
-            const Quad shaded = hn::MulAdd(c, hn::Set(kQuad, factors.at[lane]), hn::Set(kQuad, glosses.at[lane]));
-            hn::Store(hn::Mul(hn::Min(shaded, hn::Set(kQuad, 1.0F)), hn::Set(kQuad, paper.at[lane])), kQuad,
-                      out.rgba + 4 * lane);
+        if (layer_.contours.on) {
+            const LaneFloats paper(uninked(facts, width));
+            for (std::size_t lane = 0; lane < hn::Lanes(kF); ++lane) {
+                hn::Store(hn::Mul(hn::Load(kQuad, out.rgba + 4 * lane), hn::Set(kQuad, paper.at[lane])), kQuad,
+                          out.rgba + 4 * lane);
+            }
         }
     }
 
@@ -326,20 +330,8 @@ class LayerEvaluation {
 
     /// What a contour's ink leaves of a plain colour.
     HWY_INLINE Floats uninked(const Facts<Field>& facts, Floats width) const {
-        if (!layer_.contours.on) {
-            return splat(1);
-        }
         const Lanes facing{hn::Abs(facts.normal.facing)};
         return hn::Sub(splat(1), optics::contourCoverage(facing, Lanes{width}).v);
-    }
-
-    /// One dimension of plain colours: a table of colours instead of nodes.
-    HWY_INLINE void plainColours(const Facts<Field>& facts, Floats entry, Floats width, LaneColours& out) const {
-        const EntryLanes at(entry);
-        for (std::size_t lane = 0; lane < hn::Lanes(kF); ++lane) {
-            hn::Store(entryColour(layer_.colours, at.entry.at[lane], at.fraction.at[lane]), kQuad, out.rgba + 4 * lane);
-        }
-        shadePlain(facts, width, out);
     }
 
     const KernelScene& scene_;

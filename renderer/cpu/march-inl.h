@@ -121,7 +121,7 @@ class March {
             const Mask inRange =
                 hn::And(hn::Gt(entry, splat(scene_.visibleFrom)), hn::Lt(entry, splat(scene_.visibleTo)));
             if (!hn::AllFalse(kF, hn::And(inRange, alive_))) {
-                look({q, entry, part.length}, edge);
+                look({place, q, entry, part.length}, edge);
             }
             alive_ = hn::And(alive_, hn::Lt(k_, end_));
             if (hn::AllFalse(kF, alive_)) {
@@ -131,6 +131,7 @@ class March {
     }
 
     struct Sample {
+        const Place& place;
         const Vec3& q;
         Floats entry; ///< of the transfer tables
         Floats part;  ///< share of a step that the sample stands for
@@ -149,9 +150,9 @@ class March {
             const Floats opacity = edge ? opacityOfPart(visible, sample.part) : visible;
             const Floats weight = hn::NegMulAdd(opacity, alpha_, opacity);
             alpha_ = hn::Add(alpha_, weight);
-            queue_.push({sample.q, sample.entry, weight, pixel_, ray_->view}, shows);
+            queue_.push({sample.place, sample.q, sample.entry, weight, pixel_, ray_->view}, shows);
             alive_ = hn::And(alive_, hn::Lt(alpha_, splat(scene_.opaque)));
-        } else if (queue_.push({sample.q, sample.entry, sample.part, pixel_, ray_->view}, shows)) {
+        } else if (queue_.push({sample.place, sample.q, sample.entry, sample.part, pixel_, ray_->view}, shows)) {
             endOpaque();
         }
     }

@@ -70,6 +70,9 @@ class Packer {
 template <typename VoxelField>
 class ShadeQueue {
     using Place = typename VoxelField::Place;
+    using Offset = typename VoxelField::OffsetType;
+    /// Places of wide stores are found anew: their offsets do not fit a vector.
+    static constexpr bool kKeepsOffsets = sizeof(Offset) == 4;
 
   public:
     /// `rgba`: the block's pixels.
@@ -80,6 +83,7 @@ class ShadeQueue {
     }
 
     struct Entry {
+        const Place& place;
         const Vec3& q;
         Floats tableEntry;
         Floats weight; ///< or part of a step
@@ -97,6 +101,10 @@ class ShadeQueue {
         keep(sample.tableEntry, tableEntry_);
         keep(sample.weight, weight_);
         hn::StoreU(packer.pack(sample.pixel), kI, pixel_ + count_);
+        if constexpr (kKeepsOffsets) {
+            const Ints offsets = hn::BitCast(kI, hn::Load(kU, sample.place.offsets.at));
+            hn::StoreU(packer.pack(offsets), kI, offset_ + count_);
+        }
         if (scene_.perspective) {
             keep(sample.view.x, viewX_);
             keep(sample.view.y, viewY_);
@@ -123,13 +131,22 @@ class ShadeQueue {
 
   private:
     HWY_NOINLINE void shade(int count) {
-        const Vec3 q = {hn::Load(kF, x_), hn::Load(kF, y_), hn::Load(kF, z_)};
-        const Place place = field_.locate(q, hn::FirstN(kF, hn::Lanes(kF)));
+        // Lanes that nobody filled may hold anything.
+        const Mask filled = hn::FirstN(kF, static_cast<std::size_t>(count));
+        const auto load = [&](const float* row) HWY_ATTR { return hn::IfThenElseZero(filled, hn::Load(kF, row)); };
+        const Vec3 q = {load(x_), load(y_), load(z_)};
+        Place place;
+        if constexpr (kKeepsOffsets) {
+            const Ints offsets = hn::IfThenElseZero(hn::RebindMask(kI, filled), hn::Load(kI, offset_));
+            place = VoxelField::placeAt(q, offsets);
+        } else {
+            place = field_.locate(q, filled);
+        }
         Vec3 view = {splat(0), splat(0), splat(1)};
         if (scene_.perspective) {
             view = {hn::Load(kF, viewX_), hn::Load(kF, viewY_), hn::Load(kF, viewZ_)};
         }
-        Facts<VoxelField> facts{field_, place, q, view, hn::Load(kF, tableEntry_), hn::Load(kF, weight_)};
+        Facts<VoxelField> facts{field_, place, members_, q, view, load(tableEntry_), load(weight_)};
         facts.measure();
         if (scene_.oneOpacity) {
             addWeighted(facts, count);
@@ -194,12 +211,16 @@ class ShadeQueue {
             }
         }
         hn::Store(hn::LoadU(kI, pixel_ + lanes), kI, pixel_);
+        if constexpr (kKeepsOffsets) {
+            hn::Store(hn::LoadU(kI, offset_ + lanes), kI, offset_);
+        }
     }
 
     const KernelScene& scene_;
     VoxelField field_;
     float* rgba_;
     std::vector<Evaluated> layers_;
+    Members members_;
     int count_ = 0;
     static constexpr int kRoom = 3 * kMaxLanes; ///< a vector waiting, one pushed, and the over-write of its last store
     alignas(64) float x_[kRoom] = {};
@@ -211,6 +232,7 @@ class ShadeQueue {
     alignas(64) float viewY_[kRoom] = {};
     alignas(64) float viewZ_[kRoom] = {};
     alignas(64) std::int32_t pixel_[kRoom] = {};
+    alignas(64) std::int32_t offset_[kRoom] = {};
 };
 
 } // namespace limner::HWY_NAMESPACE

@@ -100,6 +100,7 @@ void BuiltScene::setGradients(const RenderPlan& plan) {
     scene_.perGradientMax = static_cast<float>(1 / plan.gradientMax);
     for (const PlanLayer& layer : plan.layers) {
         scene_.readsNormal = scene_.readsNormal || readsNormal(layer);
+        scene_.readsGradientScale = scene_.readsGradientScale || readsGradientScale(layer);
         const bool turn = layer.contours && layer.contours->curvatureControlled &&
                           layer.contours->curvature == CurvatureEstimator::normals;
         scene_.readsTurn = scene_.readsTurn || turn;

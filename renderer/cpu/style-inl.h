@@ -99,13 +99,21 @@ struct SphereTaps {
     }
     /// Adds this sphere's part of a lane's colour, times kWhole^2: two multiply-adds of the four channels' pairs.
     HWY_INLINE void addTo(hn::Vec<decltype(kQuadInts)>& sum, const KernelAtlas& atlas, std::size_t lane) const {
-        const std::int16_t* at = atlas.texels + std::ptrdiff_t{8} * texel.at[lane];
+        const std::int16_t* at = atlas.texels + std::ptrdiff_t{4} * texel.at[lane];
+        sum = added(sum, at, upper.at[lane]);
+        sum = added(sum, at + std::ptrdiff_t{4} * atlas.size, lower.at[lane]);
+    }
+
+  private:
+    static HWY_INLINE hn::Vec<decltype(kQuadInts)> added(hn::Vec<decltype(kQuadInts)> sum, const std::int16_t* texels,
+                                                         std::int32_t weights) {
+        alignas(16) static constexpr std::uint8_t kPairs[16] = {0, 1, 8, 9, 2, 3, 10, 11, 4, 5, 12, 13, 6, 7, 14, 15};
+        const hn::Simd<std::uint8_t, 16, 0> bytes;
+        const auto two = hn::BitCast(bytes, hn::LoadU(kQuadPairs, texels)); // r g b a of two neighbours
+        const auto pairs = hn::BitCast(kQuadPairs, hn::TableLookupBytes(two, hn::Load(bytes, kPairs)));
         hn::Vec<decltype(kQuadInts)> rest = hn::Zero(kQuadInts);
-        const auto weights = [](std::int32_t pair)
-                                 HWY_ATTR { return hn::BitCast(kQuadPairs, hn::Set(kQuadInts, pair)); };
-        sum = hn::ReorderWidenMulAccumulate(kQuadInts, hn::Load(kQuadPairs, at), weights(upper.at[lane]), sum, rest);
-        sum = hn::ReorderWidenMulAccumulate(kQuadInts, hn::Load(kQuadPairs, at + std::ptrdiff_t{8} * atlas.size),
-                                            weights(lower.at[lane]), sum, rest);
+        return hn::ReorderWidenMulAccumulate(kQuadInts, pairs, hn::BitCast(kQuadPairs, hn::Set(kQuadInts, weights)),
+                                             sum, rest);
     }
 };
 
@@ -191,23 +199,37 @@ HWY_INLINE NodeBlend slotsOf(const std::int32_t* slotOfNode, const NodeBlend& no
     return slots;
 }
 
+/// Plain colours of a table's entries.
+struct PlainEntries {
+    const float* table;
+    EntryLanes at;
+    HWY_INLINE PlainEntries(const float* colours, Floats tableEntry) : table(colours), at(tableEntry) {}
+    HWY_INLINE Quad colour(std::size_t lane) const {
+        return entryColour(table, at.entry.at[lane], at.fraction.at[lane]);
+    }
+};
+
 /// The blend of the plain colours of some nodes.
-HWY_INLINE void nodeColours(const float* colours, const NodeBlend& nodes, LaneColours& out) {
+struct PlainNodes {
+    const float* colours;
+    int count;
     LaneInts node[4];
     LaneFloats weight[4];
-    for (int i = 0; i < nodes.count; ++i) {
-        node[i] = LaneInts(nodes.node[i]);
-        weight[i] = LaneFloats(nodes.weight[i]);
-    }
-    for (std::size_t lane = 0; lane < hn::Lanes(kF); ++lane) {
-        Quad sum = hn::Zero(kQuad);
+    HWY_INLINE PlainNodes(const float* nodeColours, const NodeBlend& nodes) : colours(nodeColours), count(nodes.count) {
         for (int i = 0; i < nodes.count; ++i) {
+            node[i] = LaneInts(nodes.node[i]);
+            weight[i] = LaneFloats(nodes.weight[i]);
+        }
+    }
+    HWY_INLINE Quad colour(std::size_t lane) const {
+        Quad sum = hn::Zero(kQuad);
+        for (int i = 0; i < count; ++i) {
             const Quad one = hn::Load(kQuad, colours + std::ptrdiff_t{4} * node[i].at[lane]);
             sum = hn::MulAdd(hn::Set(kQuad, weight[i].at[lane]), one, sum);
         }
-        hn::Store(sum, kQuad, out.rgba + 4 * lane);
+        return sum;
     }
-}
+};
 
 } // namespace limner::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -121,6 +121,11 @@ bool readsNormal(const PlanLayer& layer) {
            readsCurvature(layer) || readsAxis(layer, TransferAxis::gradient);
 }
 
+bool readsGradientScale(const PlanLayer& layer) {
+    return readsNormal(layer) && (layer.shading != Shading::phong || layer.contours || layer.illustrative ||
+                                  readsCurvature(layer) || readsAxis(layer, TransferAxis::gradient));
+}
+
 bool readsCurvature(const PlanLayer& layer) {
     return (layer.contours && layer.contours->curvatureControlled) || readsAxis(layer, TransferAxis::curvature);
 }

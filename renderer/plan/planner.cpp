@@ -46,12 +46,6 @@ double noiseGain(const RenderPlan& plan) {
     return kCentralNoiseGain;
 }
 
-/// Whether a layer asks how large a gradient is, beside its direction.
-bool readsGradientScale(const PlanLayer& layer) {
-    return readsNormal(layer) && (layer.shading != Shading::phong || layer.contours || layer.illustrative ||
-                                  readsAxis(layer, TransferAxis::gradient));
-}
-
 void checkDrawable(const Figure& figure) {
     if (!figure.volume || !figure.volume->data) {
         refuse("/volume", "there is no volume", "choose a scan or find the one that moved");

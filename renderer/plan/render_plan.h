@@ -77,6 +77,8 @@ struct PlanLayer {
 
 /// What a layer's evaluation reads beside the value.
 bool readsNormal(const PlanLayer& layer);
+/// Whether it asks how large a gradient is, beside its direction.
+bool readsGradientScale(const PlanLayer& layer);
 bool readsCurvature(const PlanLayer& layer);
 bool readsLabels(const PlanLayer& layer);
 /// Whether a sample's opacity follows from its value alone, so that it is known before the sample is shaded.

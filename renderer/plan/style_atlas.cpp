@@ -44,15 +44,12 @@ std::shared_ptr<const StyleAtlas> packStyles(std::span<const std::shared_ptr<con
     atlas->directionalOpacity =
         std::any_of(spheres.begin(), spheres.end(), [](const auto& sphere) { return sphere->hasDirectionalOpacity(); });
     const auto side = static_cast<std::size_t>(atlas->size);
-    const std::size_t padded = (spheres.size() * side * side + side + 1) * StyleAtlas::kPerTexel;
+    const std::size_t padded = (spheres.size() * side * side + side + 1) * 4;
     atlas->texels.reserve(padded);
     for (const auto& sphere : spheres) {
         assert(sphere != nullptr);
-        const std::vector<Rgba> picture = resampled(*mipLevel(sphere, atlas->size), atlas->size);
-        for (std::size_t i = 0; i < side * side; ++i) {
-            const Rgba& here = picture[i];
-            const Rgba& next = picture[i % side + 1 < side ? i + 1 : i];
-            for (const float channel : {here.r, next.r, here.g, next.g, here.b, next.b, here.a, next.a}) {
+        for (const Rgba& texel : resampled(*mipLevel(sphere, atlas->size), atlas->size)) {
+            for (const float channel : {texel.r, texel.g, texel.b, texel.a}) {
                 atlas->texels.push_back(fifteenBits(channel));
             }
         }
