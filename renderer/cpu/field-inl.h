@@ -44,6 +44,8 @@ struct Field {
     static constexpr int kBytes = sizeof(Voxel);
     static constexpr int kRowBytes = BrickLayout::kRow * kBytes;
     static constexpr int kSliceBytes = BrickLayout::kSlice * kBytes;
+    /// Offset of the first cell: its neighbours may be read too, those of offset 0 may not.
+    static constexpr int kFirstCell = kSliceBytes + kRowBytes + kBytes;
     static constexpr float kScale = kInteger ? 32767.0F : 1.0F;
     using Place = CellPlace<Offset>;
     using OffsetType = Offset;
@@ -68,20 +70,20 @@ struct Field {
                     hn::Mul(hn::ShiftRight<log2>(iz), splatInt(scene.brickStep[2])));
         const Ints inside = splatInt(BrickLayout::kBrickCells - 1);
         // Voxel 1 of the brick's own count is the lower voxel of cell 0.
-        const Ints local = hn::Add(
-            hn::Add(hn::Mul(hn::And(iz, inside), splatInt(kSliceBytes)),
-                    hn::Mul(hn::And(iy, inside), splatInt(kRowBytes))),
-            hn::Add(hn::Mul(hn::And(ix, inside), splatInt(kBytes)), splatInt(kSliceBytes + kRowBytes + kBytes)));
-        const auto masked = [&](Ints v) HWY_ATTR { return hn::IfThenElseZero(hn::RebindMask(kI, live), v); };
+        const Ints local = hn::Add(hn::Add(hn::Mul(hn::And(iz, inside), splatInt(kSliceBytes)),
+                                           hn::Mul(hn::And(iy, inside), splatInt(kRowBytes))),
+                                   hn::Add(hn::Mul(hn::And(ix, inside), splatInt(kBytes)), splatInt(kFirstCell)));
+        const auto masked = [&](Ints v, int otherwise)
+                                HWY_ATTR { return hn::IfThenElse(hn::RebindMask(kI, live), v, splatInt(otherwise)); };
         constexpr std::int64_t brickBytes = std::int64_t{BrickLayout::kBrickVoxels} * kBytes;
         if constexpr (sizeof(Offset) == 4) {
-            store(masked(hn::Add(hn::Mul(brick, splatInt(static_cast<std::int32_t>(brickBytes))), local)),
+            store(masked(hn::Add(hn::Mul(brick, splatInt(static_cast<std::int32_t>(brickBytes))), local), kFirstCell),
                   place.offsets);
         } else {
             alignas(64) std::int32_t bricks[kMaxLanes];
             alignas(64) std::int32_t locals[kMaxLanes];
-            hn::Store(masked(brick), kI, bricks);
-            hn::Store(masked(local), kI, locals);
+            hn::Store(masked(brick, 0), kI, bricks);
+            hn::Store(masked(local, kFirstCell), kI, locals);
             for (std::size_t lane = 0; lane < hn::Lanes(kI); ++lane) {
                 place.offsets.at[lane] = bricks[lane] * brickBytes + locals[lane];
             }

@@ -137,7 +137,8 @@ class ShadeQueue {
         const Vec3 q = {load(x_), load(y_), load(z_)};
         Place place;
         if constexpr (kKeepsOffsets) {
-            const Ints offsets = hn::IfThenElseZero(hn::RebindMask(kI, filled), hn::Load(kI, offset_));
+            const Ints offsets =
+                hn::IfThenElse(hn::RebindMask(kI, filled), hn::Load(kI, offset_), splatInt(VoxelField::kFirstCell));
             place = VoxelField::placeAt(q, offsets);
         } else {
             place = field_.locate(q, filled);
