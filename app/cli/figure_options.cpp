@@ -5,6 +5,7 @@
 #include "core/figure/figure_json.h"
 #include "core/figure/output_size.h"
 #include "core/figure/quantity.h"
+#include "core/figure/themes.h"
 #include "core/style/lit_sphere.h"
 
 #include <CLI/CLI.hpp>
@@ -39,6 +40,18 @@ std::optional<double> matterAbove(const Figure& figure) {
     return std::nullopt;
 }
 
+/// Throws where the option was given and names none of the cards.
+template <typename Card>
+void checkCard(const std::vector<Card>& cards, const std::string& id, const std::string& option) {
+    std::vector<std::string> names;
+    for (const Card& card : cards) {
+        names.push_back(card.id);
+    }
+    if (!id.empty()) {
+        checkKnown(names, id, option);
+    }
+}
+
 /// Everything else is a scan.
 bool namesProject(const std::filesystem::path& path) {
     return path.extension() == ".limner" || path.extension() == ".json";
@@ -59,6 +72,8 @@ void FigureOptions::declareInput(CLI::App& app, const std::string& name, const s
 
 void FigureOptions::declareLook(CLI::App& app) {
     app.add_option("--preset", preset_, "Look to start from; `limner preset list` shows them [auto]")
+        ->option_text("NAME");
+    app.add_option("--theme", theme_, "Exchange all styles and the paper; `limner theme list` shows them")
         ->option_text("NAME");
     app.add_option("--view", view_,
                    "Look from: anterior, posterior, left, right, superior, inferior or three-quarter (the patient's "
@@ -128,19 +143,17 @@ Document FigureOptions::open(Console& console) const {
     if (!view_.empty()) {
         chosen(kViews, view_, "--view");
     }
-    if (!preset_.empty()) {
-        std::vector<std::string> names;
-        for (const PresetCard& card : bundledPresets()) {
-            names.push_back(card.id);
-        }
-        checkKnown(names, preset_, "--preset");
-    }
+    checkCard(bundledPresets(), preset_, "--preset");
+    checkCard(bundledThemes(), theme_, "--theme");
     Document document = openDocument(file_, preset_, importOptions(), console.task());
     for (const std::string& note : document.volumeReport.warnings) {
         console.task().warn(note);
     }
     if (!preset_.empty() && !document.path.empty()) {
         document.figure = withPreset(document.figure, preset_, document.notes);
+    }
+    if (!theme_.empty()) {
+        document.figure = withTheme(document.figure, theme_, document.notes);
     }
     for (const std::string& note : document.notes) {
         console.task().warn(note);

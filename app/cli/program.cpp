@@ -51,6 +51,7 @@ class Parser {
         add(app_, "validate", std::make_unique<ValidateCommand>());
         add(app_, "explain", std::make_unique<ExplainCommand>());
         add(*group("style", "Lists the lit-sphere styles (style list)"), "list", std::make_unique<StyleListCommand>());
+        add(*group("theme", "Lists the themes (theme list)"), "list", std::make_unique<ThemeListCommand>());
         add(*group("preset", "Lists the presets (preset list)"), "list", std::make_unique<PresetListCommand>());
     }
 

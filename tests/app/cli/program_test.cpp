@@ -52,7 +52,8 @@ void expectError(std::vector<std::string> arguments, int code, const std::string
 
 TEST(Program, HelpOfEveryCommandHasExamplesAndEndsWell) {
     const std::vector<std::vector<std::string>> commands{
-        {}, {"render"}, {"new"}, {"info"}, {"validate"}, {"explain"}, {"style", "list"}, {"preset", "list"}};
+        {},          {"render"},        {"new"},           {"info"},          {"validate"},
+        {"explain"}, {"style", "list"}, {"theme", "list"}, {"preset", "list"}};
     for (auto arguments : commands) {
         arguments.emplace_back("--help");
         const ProgramRun help = run(arguments);
@@ -74,6 +75,7 @@ TEST(Program, WrongUsageEndsWith2AndNamesTheNearest) {
     expectError({"render", "a.nrrd"}, 2, "--output");
     expectError({"render", "-o", "b.png"}, 2, "FIGURE-or-VOLUME");
     expectError({"render", "a.nrrd", "-o", "b.png", "--preset", "skul"}, 2, "did you mean skull?");
+    expectError({"render", "a.nrrd", "-o", "b.png", "--theme", "grey"}, 2, "gray");
     expectError({"render", "a.nrrd", "-o", "b.png", "--view", "top"}, 2, "superior");
     expectError({"render", "a.nrrd", "-o", "b.png", "--depth", "12"}, 2, "float");
     expectError({"render", "a.nrrd", "-o", "b.png", "--background", "#12"}, 2, "#rrggbb");
@@ -278,6 +280,12 @@ TEST(Program, ListsHaveWhatIsThere) {
     const auto presets = run({"preset", "list", "--json"}).facts().at("presets");
     EXPECT_GE(presets.size(), 9U);
     EXPECT_EQ(presets.at(0).at("id"), "auto");
+    const auto themes = run({"theme", "list", "--json"}).facts().at("themes");
+    EXPECT_GE(themes.size(), 7U);
+    for (const char* key : {"id", "name", "help"}) {
+        EXPECT_FALSE(themes.at(0).at(key).get<std::string>().empty()) << key;
+    }
+    EXPECT_EQ(static_cast<std::size_t>(lines(run({"theme", "list"}).out)), themes.size());
     const ProgramRun text = run({"style", "list"});
     EXPECT_EQ(static_cast<std::size_t>(lines(text.out)), styles.size());
 }
