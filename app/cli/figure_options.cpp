@@ -191,14 +191,20 @@ void FigureOptions::applyView(Document& document) const {
 }
 
 void FigureOptions::applySettings(Document& document, Console& console) const {
+    const std::string backgroundBefore = document.figure.background.file;
     for (const std::string& setting : settings_) {
         document.figure = withSetting(document.figure, setting);
     }
     if (settings_.empty()) {
         return;
     }
+    Background& background = document.figure.background;
+    if (background.file != backgroundBefore) {
+        background.picture = nullptr;
+    }
     const auto unresolved = [](const StyleEntry& style) { return style.sphere == nullptr; };
-    if (std::any_of(document.figure.styles.begin(), document.figure.styles.end(), unresolved)) {
+    if (std::any_of(document.figure.styles.begin(), document.figure.styles.end(), unresolved) ||
+        (background.kind == "image" && background.picture == nullptr)) {
         const std::size_t known = document.notes.size();
         resolveFigure(document, document.path.parent_path(), importOptions(), console.task());
         for (std::size_t i = known; i < document.notes.size(); ++i) {

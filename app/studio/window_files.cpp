@@ -12,6 +12,7 @@
 #include "widgets/preset_menu.h"
 #include "widgets/progress_strip.h"
 #include "widgets/style_gallery.h"
+#include "widgets/theme_menu.h"
 #include "widgets/transfer_editor_1d.h"
 #include "widgets/viewport.h"
 
@@ -257,11 +258,8 @@ void MainWindow::exportPath(const std::filesystem::path& path, const ExportDialo
     document_->apply(edit);
     auto figure = std::make_shared<Figure>(*document_->figure());
     figure->quality.samplesPerPixel = choice.samplesPerPixel;
-    PictureOptions options;
-    options.dpi = choice.output.dpi;
+    PictureOptions options = pictureOptions(*figure);
     options.depth = choice.depth;
-    options.transparent = choice.output.transparent;
-    options.background = figure->background.rgba;
     Job* job = startJob(exportJob_, tr("Exporting %1").arg(toText(path.filename())),
                         [plan = engine_.plan, backend = exporter_, figure, path, options](Task& task) {
                             const auto made = plan(*figure, {}, task);

@@ -309,7 +309,6 @@ std::vector<std::string> partsNotDrawn(const Figure& figure) {
     }
     kept(figure.importance.has_value(), "/importance", "importance is");
     kept(figure.stipple.has_value(), "/stipple", "stipples are");
-    kept(figure.background.kind == "image", "/background/kind", "a picture as background is");
     kept(!figure.annotations.empty(), "/annotations", "annotations are");
     const GradientEstimator gradient = figure.quality.gradient;
     kept(gradient != GradientEstimator::central && gradient != GradientEstimator::automatic, "/quality/gradient",

@@ -3,6 +3,7 @@
 #include "core/figure/presets.h"
 #include "core/project/archive.h"
 #include "core/project/project.h"
+#include "core/style/background_picture.h"
 
 #include <fstream>
 #include <optional>
@@ -63,6 +64,9 @@ class Resolver {
             if (style.sphere == nullptr) {
                 loadEntry(style);
             }
+        }
+        if (figure.background.kind == "image" && figure.background.picture == nullptr) {
+            loadBackground(figure.background);
         }
     }
 
@@ -166,6 +170,23 @@ class Resolver {
                 style.sphere = loadStyle(folder_ / style.file).sphere;
             } else {
                 note("the style \"" + style.id + "\": the picture " + style.file + " is not there");
+            }
+        });
+    }
+
+    void loadBackground(Background& background) {
+        attempt("the background's picture", [&] {
+            const ArchiveEntry* entry = archive_ ? archive_->find(background.file) : nullptr;
+            const fs::path beside = folder_ / background.file; // an absolute path stays one
+            std::error_code ignored;
+            if (entry != nullptr && entry->kind == EntryKind::background) {
+                auto temporary = std::make_shared<const TemporaryFolder>();
+                const fs::path file = unpack(*entry, *temporary);
+                background.picture = std::make_shared<const BackgroundPicture>(file, std::move(temporary));
+            } else if (!background.file.empty() && fs::is_regular_file(beside, ignored)) {
+                background.picture = std::make_shared<const BackgroundPicture>(fs::absolute(beside));
+            } else {
+                note("the background's picture " + background.file + " is not there; its colour is drawn");
             }
         });
     }

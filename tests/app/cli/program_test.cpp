@@ -114,6 +114,7 @@ TEST_F(WithScan, EveryOtherFailureHasItsCode) {
     expectError({"info", path("bad.nrrd")}, 3, "bad.nrrd");
     std::ofstream(path("bad.json")) << "{ \"limner\": 1, ";
     expectError({"explain", path("bad.json")}, 3, "bad.json");
+    expectError({"render", scan(), "-o", path("b.png"), "--background", path("bad.json")}, 3, "bad.json");
     expectError({"render", scan(), "-o", path("b.png"), "--backend", "gl"}, 4, "OpenGL");
     expectError({"render", scan(), "-o", path("b.png"), "--memory", "20K"}, 5);
     expectError({"render", scan(), "-o", path("b.png"), "--set", "/camra/height_mm=5"}, 2, "camera");
@@ -195,6 +196,15 @@ TEST_F(WithScan, OptionsChangeThePicture) {
     const auto blue = render("blue.png", {"--background", "#0000ff"});
     EXPECT_EQ(blue[0], 0);
     EXPECT_EQ(blue[2], 1);
+    const auto picture = render("picture.png", {"--background", path("blue.png")});
+    EXPECT_EQ(picture[0], 0);
+    EXPECT_EQ(picture[2], 1);
+    EXPECT_NE(picture, blue); // the head stands behind the head
+    EXPECT_EQ(picture, render("picture set.png",
+                              {"--set", "/background/kind=image", "--set", "/background/file=" + path("blue.png")}));
+    const auto board = render("board.png", {"--theme", "blackboard"});
+    EXPECT_NEAR(board[1], 0x30 / 255.0, 1e-3);
+    EXPECT_NE(board, render("board blue.png", {"--theme", "blackboard", "--preset", "skull"}));
     const auto clear = render("clear.png", {"--transparent"});
     ASSERT_EQ(clear.size(), plain.size() / 3 * 4);
     EXPECT_EQ(clear[3], 0);

@@ -141,7 +141,6 @@ TEST(Validate, PartsThatAreNotDrawnAreSaid) {
         {"/layers/0/labels", [](Figure& f) { f.layers[0].labels.emplace(); }},
         {"/importance", [](Figure& f) { f.importance.emplace(); }},
         {"/stipple", [](Figure& f) { f.stipple.emplace(); }},
-        {"/background/kind", [](Figure& f) { f.background.kind = "image"; }},
         {"/annotations", [](Figure& f) { f.annotations.emplace_back(); }},
         {"/quality/gradient", [](Figure& f) { f.quality.gradient = GradientEstimator::sobel; }},
         {"/quality/interpolation", [](Figure& f) { f.quality.interpolation = Interpolation::tricubic; }},
