@@ -14,9 +14,15 @@ class PresetMenu : public QMenu {
   public:
     explicit PresetMenu(QWidget* parent = nullptr);
     void setPresets(const std::vector<PresetCard>& presets);
+    /// Whether there are labels: presets that draw by label can be chosen only then.
+    void setLabelsThere(bool there);
 
   Q_SIGNALS:
     void chosen(const QString& id, const QString& name);
+
+  private:
+    std::vector<QAction*> needLabels_;
+    bool labelsThere_ = false;
 };
 
 } // namespace limner

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace limner::cli {
 
@@ -15,8 +16,11 @@ void printFacts(Console& console, const Json& facts) {
     printFactText(console, facts.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
-/// `label: text`, labels padded to one column.
+/// `label: text`, labels padded to one column; an empty label: a line that goes on with the one above.
 std::string factLine(const std::string& label, const std::string& text);
+
+/// Rows as lines, columns as wide as their longest text.
+std::string textTable(const std::vector<std::vector<std::string>>& rows);
 
 /// A number with as many digits as it needs, at most six.
 std::string numberText(double value);

@@ -3,9 +3,11 @@
 #include "app/cli/console.h"
 #include "app/cli/words.h"
 #include "core/figure/figure_json.h"
+#include "core/figure/label_look.h"
 #include "core/figure/output_size.h"
 #include "core/figure/quantity.h"
 #include "core/figure/themes.h"
+#include "core/project/label_volume.h"
 #include "core/style/lit_sphere.h"
 
 #include <CLI/CLI.hpp>
@@ -68,6 +70,10 @@ void FigureOptions::declareInput(CLI::App& app, const std::string& name, const s
                    "Of a folder with several DICOM series: the UID, or the number that info shows [the largest]")
         ->option_text("SERIES");
     app.add_flag("--first-component", firstComponent_, "Of colour, vector or 4D data take the first component");
+    app.add_option("--labels", labels_,
+                   "A volume of label numbers that belongs to the scan, on any grid; its names and colours are read "
+                   "from it or from a text file beside it. Replaces a project's labels")
+        ->option_text("FILE");
 }
 
 void FigureOptions::declareLook(CLI::App& app) {
@@ -118,12 +124,18 @@ ImportOptions FigureOptions::importOptions() const {
     return options;
 }
 
+OpenOptions FigureOptions::openOptions() const { return {preset_, labels_, importOptions()}; }
+
 Document FigureOptions::openAsIs(Console& console) const {
     Document document;
     if (namesProject(file_)) {
-        document = openDocument(file_, "", importOptions(), console.task());
+        document = openDocument(file_, openOptions(), console.task());
     } else {
         ImportedVolume imported = importVolume(file_, importOptions(), console.task());
+        if (!labels_.empty()) {
+            const LabelRequest request{imported.volume, memory().value_or(0)};
+            document.figure.labels = openLabels(labels_, request, document.notes, console.task());
+        }
         document.figure.volume.emplace().data = std::move(imported.volume);
         document.volumeReport = std::move(imported.report);
     }
@@ -145,7 +157,7 @@ Document FigureOptions::open(Console& console) const {
     }
     checkCard(bundledPresets(), preset_, "--preset");
     checkCard(bundledThemes(), theme_, "--theme");
-    Document document = openDocument(file_, preset_, importOptions(), console.task());
+    Document document = openDocument(file_, openOptions(), console.task());
     for (const std::string& note : document.volumeReport.warnings) {
         console.task().warn(note);
     }
@@ -184,25 +196,26 @@ void FigureOptions::applyView(Document& document) const {
         throw Error(ErrorKind::badInput,
                     {"cannot choose a view", file_, "the figure has no scan to look at", "find the scan first"});
     }
-    Camera camera = standardView(*figure.volume->data, chosen(kViews, view_, "--view").view, matterAbove(figure));
+    const StandardView view = chosen(kViews, view_, "--view").view;
+    const bool byLabel = drawsByLabel(figure) && figure.labels && figure.labels->data;
+    Camera camera = byLabel ? standardView(*figure.labels->data, view, 0)
+                            : standardView(*figure.volume->data, view, matterAbove(figure));
     camera.projection = figure.camera.projection;
     camera.fovDeg = figure.camera.fovDeg;
     figure.camera = fittedTo(figure.output, camera);
 }
 
 void FigureOptions::applySettings(Document& document, Console& console) const {
-    const std::string backgroundBefore = document.figure.background.file;
     for (const std::string& setting : settings_) {
         document.figure = withSetting(document.figure, setting);
     }
     if (settings_.empty()) {
         return;
     }
-    Background& background = document.figure.background;
-    if (background.file != backgroundBefore) {
-        background.picture = nullptr;
-    }
-    const auto unresolved = [](const StyleEntry& style) { return style.sphere == nullptr; };
+    const Background& background = document.figure.background;
+    const auto unresolved = [](const StyleEntry& style) {
+        return style.sphere == nullptr || (style.texture && style.texture->tile == nullptr);
+    };
     if (std::any_of(document.figure.styles.begin(), document.figure.styles.end(), unresolved) ||
         (background.kind == "image" && background.picture == nullptr)) {
         const std::size_t known = document.notes.size();

@@ -19,7 +19,7 @@ class Console;
 /// The options that say which figure is meant: a file, how to read it, a preset, a theme, a view, a size and settings.
 class FigureOptions {
   public:
-    /// The file and the options for reading a scan.
+    /// The file, the options for reading a scan, and its labels.
     void declareInput(CLI::App& app, const std::string& name, const std::string& help);
     /// Preset, theme, view and settings.
     void declareLook(CLI::App& app);
@@ -40,6 +40,7 @@ class FigureOptions {
 
   private:
     [[nodiscard]] ImportOptions importOptions() const;
+    [[nodiscard]] OpenOptions openOptions() const;
     void applySize(Document& document) const;
     void applyView(Document& document) const;
     void applySettings(Document& document, Console& console) const;
@@ -47,6 +48,7 @@ class FigureOptions {
     std::string file_;
     std::string raw_;
     std::string series_;
+    std::string labels_;
     bool firstComponent_ = false;
     std::string preset_;
     std::string theme_;

@@ -3,7 +3,10 @@
 #include "app/cli/console.h"
 #include "app/cli/facts.h"
 #include "core/figure/quantity.h"
+#include "core/figure/scan_facts.h"
+#include "core/volume/derived_fields.h"
 #include "core/volume/histogram.h"
+#include "core/volume/label_table.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -19,6 +22,7 @@ using Facts = nlohmann::ordered_json;
 constexpr const char* kExamples = R"(Examples:
   limner info head.nii.gz
   limner info dicom-folder --json
+  limner info organs.nii.gz               # labels: names, voxels and volume of each
   limner info skull.limner
 )";
 
@@ -36,6 +40,63 @@ const char* modalityName(Modality modality) {
 }
 
 Facts triple(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+
+/// The labels that occur, 0 (none) left out: [{id, name, colour, voxels, ml}]; null where the numbers are no labels.
+Facts labelFacts(const Volume& volume, const std::map<int, LabelEntry>& table) {
+    const auto counts = labelCounts(volume);
+    if (!counts) {
+        return nullptr;
+    }
+    const glm::dvec3 spacing = volume.grid().spacingMm;
+    constexpr double kMm3PerMl = 1000;
+    const double mlPerVoxel = spacing.x * spacing.y * spacing.z / kMm3PerMl;
+    Facts facts = Facts::array();
+    for (const auto& [label, voxels] : *counts) {
+        if (label == 0) {
+            continue;
+        }
+        const auto known = table.find(label);
+        const LabelEntry entry = known == table.end() ? LabelEntry{} : known->second;
+        facts.push_back({{"id", label},
+                         {"name", entry.name},
+                         {"colour", entry.colour.empty() ? Facts(nullptr) : Facts(entry.colour)},
+                         {"voxels", voxels},
+                         {"ml", static_cast<double>(voxels) * mlPerVoxel}});
+    }
+    return facts;
+}
+
+/// Of a figure's labels, by the names that it has for them.
+Facts labelFacts(const LabelReference& labels) {
+    std::map<int, LabelEntry> table;
+    const auto take = [&](const std::map<std::string, std::string>& words, std::string LabelEntry::*part) {
+        for (const auto& [label, word] : words) {
+            if (const auto number = Facts::parse(label, nullptr, false); number.is_number_integer()) {
+                table[number.get<int>()].*part = word;
+            }
+        }
+    };
+    take(labels.names, &LabelEntry::name);
+    take(labels.colours, &LabelEntry::colour);
+    return labels.data ? labelFacts(*labels.data, table) : Facts(nullptr);
+}
+
+std::string labelText(const Facts& labels) {
+    constexpr std::size_t kMostLines = 256;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(labels.size(), kMostLines); ++i) {
+        const Facts& label = labels[i];
+        const std::string name = label["name"].get<std::string>();
+        text +=
+            factLine(i == 0 ? "Labels" : "", std::to_string(label["id"].get<int>()) + (name.empty() ? "" : " " + name) +
+                                                 ": " + std::to_string(label["voxels"].get<std::size_t>()) +
+                                                 " voxels, " + numberText(label["ml"].get<double>()) + " ml");
+    }
+    if (labels.size() > kMostLines) {
+        text += factLine("", std::to_string(labels.size() - kMostLines) + " more (--json has all)");
+    }
+    return text;
+}
 
 Facts volumeFacts(const Volume& volume, const ImportReport& report) {
     const Grid& grid = volume.grid();
@@ -60,7 +121,6 @@ Facts volumeFacts(const Volume& volume, const ImportReport& report) {
             {"file_bytes", report.fileBytes},
             {"memory_bytes", volume.bytes()},
             {"quantisation_error", report.quantisationError},
-            {"label_names", report.labelNames},
             {"series", series}};
 }
 
@@ -112,7 +172,7 @@ std::string volumeText(const Facts& f) {
                                                       s["description"].get<std::string>());
         ++number;
     }
-    return text;
+    return f.contains("labels") ? text + labelText(f["labels"]) : text;
 }
 
 Facts layerFacts(const Layer& layer) {
@@ -161,6 +221,32 @@ Facts projectFacts(const Document& document) {
         }
     }
     facts["volume"] = volume;
+    if (figure.labels) {
+        facts["labels_path"] = figure.labels->path;
+        facts["labels"] = labelFacts(*figure.labels);
+    }
+    return facts;
+}
+
+/// Of a file that is no project.
+Facts scanFacts(const Document& document, const std::string& file, Task& task) {
+    const Volume& volume = *document.figure.volume->data;
+    Facts facts = volumeFacts(volume, document.volumeReport);
+    const LabelTable table = readLabelTable(file);
+    facts["label_names"] = Facts::object(); // all that the file knows of
+    for (const auto& [label, entry] : table.entries) {
+        facts["label_names"][std::to_string(label)] = entry.name;
+    }
+    if (document.figure.labels) {
+        facts["labels_path"] = document.figure.labels->path;
+        facts["labels"] = labelFacts(*document.figure.labels);
+    } else if (volume.contents().modality == Modality::labels || looksLabelled(volume)) {
+        for (const std::string& warning : table.warnings) {
+            task.warn(warning);
+        }
+        facts["modality"] = modalityName(Modality::labels);
+        facts["labels"] = labelFacts(volume, table.entries);
+    }
     return facts;
 }
 
@@ -174,6 +260,11 @@ std::string projectText(const Facts& f) {
         text += factLine("Scan", volume["path"].get<std::string>() +
                                      (volume["embedded"].get<bool>() ? " (inside the project)" : "") +
                                      (volume["found"].get<bool>() ? "" : " (not found)"));
+    }
+    if (f.contains("labels")) {
+        text += factLine("Label volume",
+                         f["labels_path"].get<std::string>() + (f["labels"].is_null() ? " (not found)" : ""));
+        text += labelText(f["labels"]);
     }
     for (const Facts& layer : f["layers"]) {
         text += factLine("Layer", layer["name"].get<std::string>() + (layer["visible"].get<bool>() ? "" : " (hidden)") +
@@ -196,7 +287,8 @@ std::string projectText(const Facts& f) {
 void InfoCommand::declare(CLI::App& app) {
     app.description("Shows what a scan or a project holds\n"
                     "Of a scan: format, size, spacing, orientation, values and what was repaired while\n"
-                    "reading; of a project: its parts. Space is LPS in mm (x to the patient's left, y to\n"
+                    "reading; of a label volume also the labels that occur; of a project: its parts. Space is LPS in "
+                    "mm (x to the patient's left, y to\n"
                     "the back, z to the head).");
     app.footer(kExamples);
     figure_.declareInput(app, "FILE",
@@ -208,7 +300,7 @@ void InfoCommand::declare(CLI::App& app) {
 int InfoCommand::run(Console& console) {
     const Document document = figure_.openAsIs(console);
     const bool project = !document.path.empty();
-    Facts facts = project ? projectFacts(document) : volumeFacts(*document.figure.volume->data, document.volumeReport);
+    Facts facts = project ? projectFacts(document) : scanFacts(document, figure_.file(), console.task());
     facts["warnings"] = console.task().warnings();
     if (console.json) {
         printFacts(console, facts);

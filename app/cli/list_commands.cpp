@@ -9,36 +9,11 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-
 namespace limner::cli {
 
 namespace {
 
 using Facts = nlohmann::ordered_json;
-
-/// Columns as wide as their longest text.
-std::string table(const std::vector<std::vector<std::string>>& rows) {
-    std::vector<std::size_t> widths;
-    for (const auto& row : rows) {
-        widths.resize(std::max(widths.size(), row.size()), 0);
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            widths[i] = std::max(widths[i], row[i].size());
-        }
-    }
-    std::string text;
-    for (const auto& row : rows) {
-        std::string line;
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            line += row[i];
-            if (i + 1 < row.size()) {
-                line.append(widths[i] - row[i].size() + 2, ' ');
-            }
-        }
-        text += line + "\n";
-    }
-    return text;
-}
 
 std::string join(const std::vector<std::string>& words) {
     std::string text;
@@ -71,7 +46,7 @@ int StyleListCommand::run(Console& console) {
     if (console.json) {
         printFacts(console, Facts{{"styles", list}});
     } else {
-        console.print(table(rows));
+        console.print(textTable(rows));
     }
     return 0;
 }
@@ -92,7 +67,7 @@ int PresetListCommand::run(Console& console) {
     if (console.json) {
         printFacts(console, Facts{{"presets", list}});
     } else {
-        console.print(table(rows));
+        console.print(textTable(rows));
     }
     return 0;
 }
@@ -113,7 +88,7 @@ int ThemeListCommand::run(Console& console) {
     if (console.json) {
         printFacts(console, Facts{{"themes", list}});
     } else {
-        console.print(table(rows));
+        console.print(textTable(rows));
     }
     return 0;
 }

@@ -8,6 +8,7 @@
 #include "app/cli/list_commands.h"
 #include "app/cli/new_command.h"
 #include "app/cli/render_command.h"
+#include "app/cli/self_test_command.h"
 #include "app/cli/validate_command.h"
 #include "core/base/error.h"
 #include "core/figure/description.h"
@@ -33,7 +34,7 @@ constexpr const char* kFooter = R"(Examples:
 `limner COMMAND --help` shows the options of a command, with examples.
 Lengths are in mm, angles in degrees, colours sRGB from 0 to 1, values in the scan's own unit.
 Exit codes: 0 done, 2 wrong usage, 3 bad input file, 4 no OpenGL, 5 out of memory or disk,
-            8 pixels that are not finite numbers, 130 cancelled.
+            8 pixels that are not finite numbers, 9 a formula failed, 130 cancelled.
 )";
 
 /// The parser with all commands, and which of them was asked for.
@@ -50,6 +51,7 @@ class Parser {
         add(app_, "info", std::make_unique<InfoCommand>());
         add(app_, "validate", std::make_unique<ValidateCommand>());
         add(app_, "explain", std::make_unique<ExplainCommand>());
+        add(app_, "self-test", std::make_unique<SelfTestCommand>());
         add(*group("style", "Lists the lit-sphere styles (style list)"), "list", std::make_unique<StyleListCommand>());
         add(*group("theme", "Lists the themes (theme list)"), "list", std::make_unique<ThemeListCommand>());
         add(*group("preset", "Lists the presets (preset list)"), "list", std::make_unique<PresetListCommand>());

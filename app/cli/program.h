@@ -13,7 +13,8 @@ struct ProgramStreams {
 };
 
 /// Runs the program with its arguments (without its own name) and returns the exit code: 0 done, 2 wrong usage, 3 bad
-/// input, 4 no OpenGL, 5 no memory or disk, 8 pixels that are not finite, 130 cancelled. Throws nothing.
+/// input, 4 no OpenGL, 5 no memory or disk, 8 pixels that are not finite, 9 a formula failed, 130 cancelled. Throws
+/// nothing.
 int runProgram(const std::vector<std::string>& arguments, const ProgramStreams& streams);
 
 } // namespace limner::cli

@@ -16,6 +16,8 @@ constexpr ActionRow kActions[] = {
     {"file.open", TEXT("&Open…"), TEXT("Open a scan, a project or a figure"), "Ctrl+O", TEXT("Open")},
     {"file.open-folder", TEXT("Open &folder of slices…"),
      TEXT("Open a folder with a DICOM series or a stack of pictures"), "Ctrl+Shift+O", ""},
+    {"file.open-labels", TEXT("Open &labels…"), TEXT("Open a volume of label numbers that belongs to the scan"), "",
+     ""},
     {"file.sample", TEXT("Open s&ample head"), TEXT("Open the built-in head, to try things out"), "", ""},
     {"file.recent", TEXT("Open &recent"), TEXT("Scans and projects that were open lately"), "", ""},
     {"file.-1", "", "", "", ""},

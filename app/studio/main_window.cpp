@@ -3,6 +3,7 @@
 #include "app/studio/welcome_page.h"
 #include "core/figure/figure_json.h"
 #include "widgets/job.h"
+#include "widgets/label_list.h"
 #include "widgets/layer_list.h"
 #include "widgets/notice_bar.h"
 #include "widgets/picture_feed.h"
@@ -102,14 +103,22 @@ void MainWindow::buildPanels() {
     setCentralWidget(centre);
 
     layers_ = new LayerList;
+    labels_ = new LabelList;
+    auto* layersAndLabels = new QWidget;
+    auto* stack = new QVBoxLayout(layersAndLabels);
+    stack->setContentsMargins(0, 0, 0, 0);
+    stack->setSpacing(0);
+    stack->addWidget(layers_, 1);
+    stack->addWidget(labels_, 1);
     transfer_ = new TransferEditor1d;
     gallery_ = new StyleGallery;
     QDockWidget* gallery = dock(this, "dock.styles", tr("Styles"), gallery_, Qt::LeftDockWidgetArea);
-    QDockWidget* layers = dock(this, "dock.layers", tr("Layers"), layers_, Qt::RightDockWidgetArea);
+    QDockWidget* layers = dock(this, "dock.layers", tr("Layers"), layersAndLabels, Qt::RightDockWidgetArea);
     QDockWidget* transfer = dock(this, "dock.transfer", tr("Transfer function"), transfer_, Qt::RightDockWidgetArea);
     resizeDocks({gallery, layers}, {kGalleryWidth, kPanelWidth}, Qt::Horizontal);
     resizeDocks({layers, transfer}, {260, 420}, Qt::Vertical);
-    QWidget* const order[] = {viewport_, gallery_->search(), gallery_->list(), layers_->list(), transfer_->canvas()};
+    QWidget* const order[] = {viewport_,         gallery_->search(), gallery_->list(),   layers_->list(),
+                              labels_->search(), labels_->list(),    transfer_->canvas()};
     for (std::size_t i = 1; i < std::size(order); ++i)
         setTabOrder(order[i - 1], order[i]);
 }
@@ -187,6 +196,7 @@ void MainWindow::connectActions() {
     };
     on("file.open", [this] { chooseAndOpen(); });
     on("file.open-folder", [this] { chooseFolderAndOpen(); });
+    on("file.open-labels", [this] { chooseAndOpenLabels(); });
     on("file.sample", [this] { openSample(); });
     on("file.save", [this] { save(); });
     on("file.save-as", [this] { saveAs(); });
@@ -224,10 +234,12 @@ void MainWindow::connectPanels() {
     const auto apply = [this](const Edit& edit) { document_->apply(edit); };
     connect(viewport_, &Viewport::edited, this, apply);
     connect(layers_, &LayerList::edited, this, apply);
+    connect(labels_, &LabelList::edited, this, apply);
     connect(transfer_, &TransferEditor1d::edited, this, apply);
     connect(gallery_, &StyleGallery::edited, this, apply);
     connect(viewport_, &Viewport::picturePixelsChanged, this, &MainWindow::wantPicture);
     connect(layers_, &LayerList::layerSelected, this, [this](std::size_t layer) {
+        labels_->setFigure(document_->figure(), layer);
         transfer_->setFigure(document_->figure(), layer);
         gallery_->setFigure(document_->figure(), layer, transfer_->selectedNode());
     });
@@ -245,9 +257,11 @@ void MainWindow::documentChanged() {
         actions_->at(id)->setEnabled(any);
     const bool drawable = any && figure->volume && figure->volume->data;
     presets_->setEnabled(drawable);
+    presets_->setLabelsThere(drawable && figure->labels && figure->labels->data);
     presetButton_->setEnabled(drawable);
     themes_->setEnabled(any);
     themeButton_->setEnabled(any);
+    actions_->at("file.open-labels")->setEnabled(drawable);
     const History& history = document_->history();
     const auto named = [](const QString& verb, const std::string& label) {
         return label.empty() ? verb : tr("%1 “%2”").arg(verb, QString::fromStdString(label));
@@ -262,6 +276,7 @@ void MainWindow::documentChanged() {
         action->setIconText(brief);
     }
     layers_->setFigure(figure);
+    labels_->setFigure(figure, layers_->selectedLayer());
     transfer_->setFigure(figure, layers_->selectedLayer());
     gallery_->setFigure(figure, layers_->selectedLayer(), transfer_->selectedNode());
     viewport_->setFigure(figure);

@@ -19,6 +19,7 @@ class QToolButton;
 namespace limner {
 
 class Job;
+class LabelList;
 class LayerList;
 class NoticeBar;
 class PictureFeed;
@@ -55,6 +56,8 @@ class MainWindow : public QMainWindow {
     void exportPath(const std::filesystem::path& path, const ExportDialog::Choice& choice);
     void usePreset(const QString& id, const QString& name);
     void useTheme(const QString& id, const QString& name);
+    /// Reads a label volume for the open scan; its layers stay as they are.
+    void openLabelsPath(const std::filesystem::path& path);
 
     [[nodiscard]] StudioDocument& document() { return *document_; }
     [[nodiscard]] Actions& actions() { return *actions_; }
@@ -62,8 +65,9 @@ class MainWindow : public QMainWindow {
     [[nodiscard]] TransferEditor1d& transferEditor() { return *transfer_; }
     [[nodiscard]] StyleGallery& gallery() { return *gallery_; }
     [[nodiscard]] LayerList& layers() { return *layers_; }
+    [[nodiscard]] LabelList& labels() { return *labels_; }
     [[nodiscard]] NoticeBar& notices() { return *notices_; }
-    /// Whether a job of the window (import, save, export, preset, theme) is under way.
+    /// Whether a job of the window (import, labels, save, export, preset, theme) is under way.
     [[nodiscard]] bool busy() const;
 
     enum class Answer { save, discard, cancel };
@@ -73,6 +77,7 @@ class MainWindow : public QMainWindow {
   Q_SIGNALS:
     void documentOpened();
     void documentSaved();
+    void labelsOpened();
     void pictureExported(const QString& path);
 
   protected:
@@ -99,6 +104,7 @@ class MainWindow : public QMainWindow {
     void startOpening(const QString& name, std::function<Document(Task&)> load);
     void chooseAndOpen();
     void chooseFolderAndOpen();
+    void chooseAndOpenLabels();
     void save();
     void saveAs();
     void chooseAndExport();
@@ -122,6 +128,7 @@ class MainWindow : public QMainWindow {
     NoticeBar* notices_;
     Viewport* viewport_;
     LayerList* layers_;
+    LabelList* labels_;
     TransferEditor1d* transfer_;
     StyleGallery* gallery_;
     PresetMenu* presets_;
@@ -131,7 +138,7 @@ class MainWindow : public QMainWindow {
     QMenu* recent_;
     ProgressStrip* progress_;
     QLabel* facts_;
-    QPointer<Job> openJob_, saveJob_, exportJob_, lookJob_, resourceJob_;
+    QPointer<Job> openJob_, saveJob_, exportJob_, lookJob_, labelJob_, resourceJob_;
     std::shared_ptr<const Figure> wanted_; ///< what the newest request to the feed shows
     QSize wantedPixels_;
     bool wantedDraft_ = false;

@@ -4,6 +4,7 @@
 #include "app/studio/welcome_page.h"
 #include "core/figure/presets.h"
 #include "core/figure/themes.h"
+#include "core/project/label_volume.h"
 #include "core/style/lit_sphere.h"
 #include "core/volume/phantom.h"
 #include "widgets/job.h"
@@ -81,7 +82,7 @@ Job* MainWindow::startJob(QPointer<Job>& slot, const QString& name, std::functio
     return job;
 }
 
-bool MainWindow::busy() const { return openJob_ || saveJob_ || exportJob_ || lookJob_; }
+bool MainWindow::busy() const { return openJob_ || labelJob_ || saveJob_ || exportJob_ || lookJob_; }
 
 void MainWindow::loadResources() {
     struct Resources {
@@ -163,6 +164,44 @@ void MainWindow::chooseFolderAndOpen() {
     const QString path = QFileDialog::getExistingDirectory(this, tr("Open folder of slices"));
     if (!path.isEmpty())
         openPath(path.toStdString());
+}
+
+void MainWindow::chooseAndOpenLabels() {
+    const QString path = QFileDialog::getOpenFileName(
+        this, tr("Open labels"), {},
+        tr("Label volumes (*.nii *.nii.gz *.hdr *.img *.nrrd *.nhdr *.mha *.mhd *.vti *.vtk *.tif *.tiff);;"
+           "Everything (*)"));
+    if (!path.isEmpty())
+        openLabelsPath(path.toStdString());
+}
+
+void MainWindow::openLabelsPath(const std::filesystem::path& path) {
+    const std::shared_ptr<const Figure> figure = document_->figure();
+    if (!figure || !figure->volume || !figure->volume->data)
+        return;
+    struct Opened {
+        LabelReference labels;
+        std::vector<std::string> notes;
+    };
+    auto opened = std::make_shared<Opened>();
+    const unsigned generation = document_->generation();
+    Job* job = startJob(labelJob_, tr("Opening %1").arg(toText(path.filename())),
+                        [opened, path, scan = figure->volume->data](Task& task) {
+                            opened->labels = openLabels(path, {scan, 0}, opened->notes, task);
+                        });
+    connect(job, &Job::finished, this, [this, opened, job, generation] {
+        labelJob_.clear();
+        if (generation != document_->generation())
+            return;
+        Edit edit{*document_->figure(), tr("Open labels").toStdString(), {}, false};
+        edit.figure.labels = opened->labels;
+        document_->apply(edit);
+        notices_->setNotices(toLines(opened->notes) + toLines(job->warnings()), NoticeBar::Kind::information);
+        statusBar()->showMessage(tr("The preset “Labelled” draws each label in a colour of its own"), kMessageMs);
+        Q_EMIT labelsOpened();
+    });
+    progress_->follow(job);
+    job->start();
 }
 
 void MainWindow::save() {

@@ -14,7 +14,7 @@ enum class ErrorKind {
     notToTolerance = 6, ///< finished, but not to the asked tolerance
     notConverged = 7,   ///< the accuracy reference did not converge
     notFinite = 8,      ///< non-finite pixels found
-    orderFailed = 9,    ///< a convergence order failed
+    orderFailed = 9,    ///< a convergence order or a formula failed
     cancelled = 130,    ///< the user stopped it
 };
 

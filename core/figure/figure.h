@@ -40,7 +40,8 @@ struct VolumeReference {
 };
 
 struct LabelReference {
-    std::string path;
+    std::string path;                           ///< relative to the project where possible
+    std::string absolutePath;                   ///< fallback when the project moved without the labels
     std::map<std::string, std::string> names;   ///< label id in decimal -> name
     std::map<std::string, std::string> colours; ///< label id in decimal -> "#rrggbb"
     std::shared_ptr<const Volume> data;

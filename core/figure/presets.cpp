@@ -4,6 +4,7 @@
 #include "core/base/resources.h"
 #include "core/figure/figure_json.h"
 #include "core/figure/fitted_view.h"
+#include "core/figure/label_look.h"
 #include "core/figure/scan_facts.h"
 #include "core/style/lit_sphere.h"
 #include "core/style/transfer_function.h"
@@ -190,8 +191,20 @@ Layer regionsLayer(const ScanFacts& facts) {
     return layer;
 }
 
-/// The preset's figure for a scan: styles, layers, quality; no camera.
-Figure lookOf(const Preset& preset, const ScanFacts& facts) {
+constexpr const char* kLabelled = "labelled";
+
+using Labels = std::optional<LabelReference>;
+
+Figure labelledLook(const Figure& figure, const Labels& labels, std::vector<std::string>& notes) {
+    if (!labels) {
+        throw Error(ErrorKind::usage, {"the preset does not fit this scan", kLabelled, "the figure has no labels",
+                                       "open the scan with a label volume (--labels FILE)"});
+    }
+    return withLabels(figure, *labels, notes);
+}
+
+/// The preset's figure for a scan: styles, layers, quality, labels; no camera.
+Figure lookOf(const Preset& preset, const ScanFacts& facts, const Labels& labels, std::vector<std::string>& notes) {
     Json json = preset.json.at("figure");
     resolveAnchors(json, facts, "");
     json["limner"] = 1;
@@ -203,7 +216,8 @@ Figure lookOf(const Preset& preset, const ScanFacts& facts) {
         sortCurves(layer);
     }
     resolveStyles(figure);
-    return figure;
+    figure.labels = labels;
+    return preset.card.id == kLabelled ? labelledLook(figure, labels, notes) : figure;
 }
 
 // ---- clean-up ---------------------------------------------------------------------------------------------------
@@ -327,12 +341,22 @@ void aim(Figure& figure, const Preset& preset, const Volume& volume) {
         const auto d = preset.json.at("direction").get<std::array<double, 3>>();
         camera.direction = {d[0], d[1], d[2]};
     }
-    figure.camera = fittedCamera(volume, camera, shows);
+    if (drawsByLabel(figure)) {
+        shows.value = [](double label) { return label > 0 ? 1 : 0; };
+        figure.camera = fittedCamera(*figure.labels->data, camera, shows);
+    } else {
+        figure.camera = fittedCamera(volume, camera, shows);
+    }
 }
 
-std::string choose(const std::string& preset, const ScanFacts& facts, std::vector<std::string>& notes) {
+std::string choose(const std::string& preset, const ScanFacts& facts, const Labels& labels,
+                   std::vector<std::string>& notes) {
     if (preset != "auto") {
         return preset;
+    }
+    if (labels && labels->data) {
+        notes.push_back(std::string("There are labels. Drawn by the preset \"") + kLabelled + "\".");
+        return kLabelled;
     }
     const std::string chosen = presetFor(facts.kind);
     std::string note = "Taken for " + sayKind(facts.kind);
@@ -361,10 +385,10 @@ const std::vector<PresetCard>& bundledPresets() {
 }
 
 Figure figureFromPreset(const std::string& preset, std::shared_ptr<const Volume> volume,
-                        std::vector<std::string>& notes) {
+                        std::vector<std::string>& notes, const Labels& labels) {
     const ScanFacts facts = examineScan(*volume);
-    const Preset& chosen = findPreset(choose(preset, facts, notes));
-    Figure figure = lookOf(chosen, facts);
+    const Preset& chosen = findPreset(choose(preset, facts, labels, notes));
+    Figure figure = lookOf(chosen, facts, labels, notes);
     figure.title = chosen.card.name;
     Cleaned cleaned = cleanSubject(chosen, facts, volume, notes);
     figure.cleanup = std::move(cleaned.steps);
@@ -380,7 +404,8 @@ Figure withPreset(const Figure& figure, const std::string& preset, std::vector<s
                                        "load the volume first"});
     }
     const ScanFacts facts = examineScan(*figure.volume->data);
-    Figure look = lookOf(findPreset(choose(preset, facts, notes)), facts);
+    const Preset& chosen = findPreset(choose(preset, facts, figure.labels, notes));
+    Figure look = lookOf(chosen, facts, figure.labels, notes);
     Figure changed = figure;
     changed.styles = std::move(look.styles);
     changed.layers = std::move(look.layers);

@@ -136,6 +136,15 @@ glm::dvec4 parseColour(const std::string& text, const std::string& where) {
     return *colour;
 }
 
+std::optional<glm::dvec3> plainColour(const std::string& text) {
+    constexpr std::size_t kLength = 7;
+    if (text.size() != kLength || text.front() != '#') {
+        return std::nullopt;
+    }
+    const auto colour = hexColour(std::string_view(text).substr(1));
+    return colour ? std::optional(glm::dvec3(*colour)) : std::nullopt;
+}
+
 std::string formatBytes(std::uint64_t bytes) {
     constexpr std::array<const char*, 5> kUnits{"bytes", "KiB", "MiB", "GiB", "TiB"};
     double number = static_cast<double>(bytes);

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace limner {
@@ -19,6 +21,9 @@ glm::ivec2 parsePixelSize(const std::string& text, const std::string& where);
 /// "#fff", "#ffeedd", "#ffeedd80", "1,0.9,0.8", "1,0.9,0.8,0.5", "white", "black", "grey": sRGB-encoded, not
 /// premultiplied, 0..1.
 glm::dvec4 parseColour(const std::string& text, const std::string& where);
+
+/// The colour of "#rrggbb", as figures write colours in lists of style ids; nothing for any other text.
+std::optional<glm::dvec3> plainColour(const std::string& text);
 
 /// "12.5 GiB", "3.2 MiB", "812 bytes".
 std::string formatBytes(std::uint64_t bytes);

@@ -218,42 +218,6 @@ ScanKind kindOfCt(const Volume& volume, const ScanFacts& facts, const Body& body
     return head ? ScanKind::ctHead : ScanKind::ctBody;
 }
 
-/// Whether the numbers name regions: small whole numbers, most of them with six equal neighbours. A scan's noise leaves
-/// few such voxels.
-bool looksLabelled(const Volume& volume) {
-    const Volume::Contents& contents = volume.contents();
-    constexpr double kMostLabels = 4096;
-    if (contents.modality != Modality::unknown || contents.type == VoxelType::float32 || contents.slope != 1 ||
-        contents.range.low < 0 || contents.range.high > kMostLabels) {
-        return false;
-    }
-    const glm::ivec3 dims = contents.grid.dims;
-    const int stride = std::max(1, glm::max(glm::max(dims.x, dims.y), dims.z) / 96);
-    double matter = 0;
-    double flat = 0;
-    for (int z = 0; z < dims.z; z += stride) {
-        for (int y = 0; y < dims.y; y += stride) {
-            for (int x = 0; x < dims.x; x += stride) {
-                const glm::ivec3 v(x, y, z);
-                const double value = volume.storedAt(v);
-                if (volume.valueFromStored(value) <= contents.range.low) {
-                    continue;
-                }
-                matter += 1;
-                bool equal = true;
-                for (int axis = 0; axis < 3; ++axis) {
-                    glm::ivec3 step(0);
-                    step[axis] = 1;
-                    equal = equal && volume.storedAt(v + step) == value && volume.storedAt(v - step) == value;
-                }
-                flat += equal ? 1 : 0;
-            }
-        }
-    }
-    constexpr double kFlat = 0.4; // 116 regions of a brain have about 0.6, smoothed and noisy scans below 0.2
-    return matter > 0 && flat > kFlat * matter;
-}
-
 ScanKind kindOf(const Volume& volume, ScanFacts& facts) {
     const Volume::Contents& contents = volume.contents();
     const glm::ivec3 dims = contents.grid.dims;
@@ -334,6 +298,40 @@ std::optional<double> simpleAnchor(const ScanFacts& facts, std::string_view text
 }
 
 } // namespace
+
+bool looksLabelled(const Volume& volume) {
+    const Volume::Contents& contents = volume.contents();
+    constexpr double kMostLabels = 4096;
+    if (contents.modality != Modality::unknown || contents.type == VoxelType::float32 || contents.slope != 1 ||
+        contents.range.low < 0 || contents.range.high > kMostLabels) {
+        return false;
+    }
+    const glm::ivec3 dims = contents.grid.dims;
+    const int stride = std::max(1, glm::max(glm::max(dims.x, dims.y), dims.z) / 96);
+    double matter = 0;
+    double flat = 0;
+    for (int z = 0; z < dims.z; z += stride) {
+        for (int y = 0; y < dims.y; y += stride) {
+            for (int x = 0; x < dims.x; x += stride) {
+                const glm::ivec3 v(x, y, z);
+                const double value = volume.storedAt(v);
+                if (volume.valueFromStored(value) <= contents.range.low) {
+                    continue;
+                }
+                matter += 1;
+                bool equal = true;
+                for (int axis = 0; axis < 3; ++axis) {
+                    glm::ivec3 step(0);
+                    step[axis] = 1;
+                    equal = equal && volume.storedAt(v + step) == value && volume.storedAt(v - step) == value;
+                }
+                flat += equal ? 1 : 0;
+            }
+        }
+    }
+    constexpr double kFlat = 0.4; // 116 regions of a brain have about 0.6, smoothed and noisy scans below 0.2
+    return matter > 0 && flat > kFlat * matter;
+}
 
 ScanFacts examineScan(const Volume& volume) {
     ScanFacts facts;

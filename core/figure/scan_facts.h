@@ -39,6 +39,10 @@ struct ScanFacts {
     std::string why; ///< the grounds of the guess, for people
 };
 
+/// Whether the numbers name regions: small whole numbers, most of them with six equal neighbours. A scan's noise leaves
+/// few such voxels.
+bool looksLabelled(const Volume& volume);
+
 ScanFacts examineScan(const Volume& volume);
 
 /// Resolves an anchored value of a preset. An anchor is one of

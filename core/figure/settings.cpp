@@ -288,12 +288,23 @@ void dropStale(const Figure& before, Figure& after) {
     dropStale(before.secondVolume, after.secondVolume);
     if (before.labels && after.labels && before.labels->path != after.labels->path) {
         after.labels->data = nullptr;
+        if (after.labels->absolutePath == before.labels->absolutePath) {
+            after.labels->absolutePath.clear();
+        }
     }
     for (std::size_t i = 0; i < std::min(before.styles.size(), after.styles.size()); ++i) {
         const bool moved = before.styles.size() != after.styles.size();
         if (!moved && before.styles[i].file != after.styles[i].file) {
             after.styles[i].sphere = nullptr;
         }
+        std::optional<StyleTexture>& texture = after.styles[i].texture;
+        const std::optional<StyleTexture>& old = before.styles[i].texture;
+        if (!moved && texture && (!old || old->file != texture->file)) {
+            texture->tile = nullptr;
+        }
+    }
+    if (before.background.file != after.background.file) {
+        after.background.picture = nullptr;
     }
 }
 

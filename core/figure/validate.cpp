@@ -1,7 +1,10 @@
 #include "core/figure/figure_json.h"
+#include "core/figure/quantity.h"
+#include "core/figure/validate_transfer.h"
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -116,6 +119,9 @@ class Validator {
             if (style.file.empty() && style.sphere == nullptr) {
                 fatal(pointer + "/file", "the style has no picture", "name a picture, or bundled:ID");
             }
+            if (style.texture && style.texture->file.empty() && style.texture->tile == nullptr) {
+                fatal(pointer + "/texture/file", "the texture has no picture", "name a picture, or bundled:ID");
+            }
         }
     }
 
@@ -128,11 +134,16 @@ class Validator {
 
     void checkLayer(const Layer& layer, const std::string& pointer) {
         const Transfer& transfer = layer.transfer;
+        checkTransferAxes(figure_, transfer, pointer + "/transfer", problems_);
         if (transfer.kind == TransferKind::oneDimensional) {
             checkNodes(transfer, pointer + "/transfer/nodes");
             checkCurve(transfer.opacity, pointer + "/transfer/opacity");
         } else {
             checkGrid(transfer, pointer + "/transfer");
+            checkOpacityShapes(transfer, pointer + "/transfer", problems_);
+            if (!transfer.opacity.empty()) {
+                checkCurve(transfer.opacity, pointer + "/transfer/opacity");
+            }
         }
         if (transfer.grid && !transfer.nodes.empty()) {
             note(pointer + "/transfer/nodes", "there are nodes and a grid of nodes; only one is kept in a file",
@@ -201,10 +212,6 @@ class Validator {
     }
 
     void checkGrid(const Transfer& transfer, const std::string& pointer) {
-        if (transfer.axes.size() != 2) {
-            fatal(pointer + "/axes", "there are " + std::to_string(transfer.axes.size()) + " axes",
-                  "name two, such as [\"value\", \"gradient\"]");
-        }
         if (!transfer.grid || transfer.grid->x.empty() || transfer.grid->y.empty()) {
             fatal(pointer + "/nodes", "there is no grid of nodes", "give x, y and styles");
             return;
@@ -222,12 +229,20 @@ class Validator {
         for (std::size_t y = 0; y < grid.styles.size(); ++y) {
             fits = fits && grid.styles[y].size() == grid.x.size();
             for (std::size_t x = 0; x < grid.styles[y].size(); ++x) {
-                checkStyleId(grid.styles[y][x], item(item(pointer + "/nodes/styles", y), x));
+                checkCell(grid.styles[y][x], item(item(pointer + "/nodes/styles", y), x));
             }
         }
         if (!fits) {
             fatal(pointer + "/nodes/styles", "the rows do not fit the grid's x and y",
                   "a row per y with a style per x");
+        }
+    }
+
+    void checkCell(const std::string& cell, const std::string& pointer) {
+        if (!cell.starts_with('#')) {
+            checkStyleId(cell, pointer);
+        } else if (!plainColour(cell)) {
+            fatal(pointer, "\"" + cell + "\" is no colour", "write #rrggbb or the id of a style");
         }
     }
 
@@ -274,12 +289,11 @@ void addLayerParts(const Layer& layer, const std::string& pointer, std::vector<s
             lines.push_back(pointer + place + ": " + what + " kept but not drawn by this version");
         }
     };
-    kept(layer.transfer.kind == TransferKind::twoDimensional, "/transfer/kind",
-         "two-dimensional transfer functions are");
-    kept(layer.transfer.kind == TransferKind::oneDimensional && layer.transfer.axis != "value", "/transfer/axis",
-         "axes other than the value are");
-    kept(layer.contours.has_value(), "/contours", "contours are");
-    kept(layer.transparency == Transparency::illustrative, "/transparency", "illustrative transparency is");
+    const auto readsImportance = [&](const std::string& axis) { return axis == "importance"; };
+    kept(layer.transfer.kind == TransferKind::oneDimensional
+             ? readsImportance(layer.transfer.axis)
+             : std::any_of(layer.transfer.axes.begin(), layer.transfer.axes.end(), readsImportance),
+         "/transfer", "the axis \"importance\" is");
     kept(layer.tone.has_value(), "/tone", "tone shading is");
     kept(layer.silhouette.has_value(), "/silhouette", "the silhouette is");
     kept(layer.specular.has_value() && layer.shading != Shading::phong, "/specular",
@@ -288,7 +302,6 @@ void addLayerParts(const Layer& layer, const std::string& pointer, std::vector<s
     kept(layer.lineGradientOpacity.has_value(), "/line_gradient_opacity", "line opacity by gradient is");
     kept(layer.position.has_value(), "/position", "colour by position is");
     kept(layer.depthOfField.has_value(), "/depth_of_field", "depth of field is");
-    kept(layer.labels.has_value(), "/labels", "the choice of labels is");
 }
 
 } // namespace
@@ -300,21 +313,18 @@ std::vector<std::string> partsNotDrawn(const Figure& figure) {
             lines.push_back(std::string(pointer) + ": " + what + " kept but not drawn by this version");
         }
     };
-    kept(figure.labels.has_value(), "/labels", "labels are");
-    kept(figure.secondVolume.has_value(), "/second_volume", "the second scan is");
     for (std::size_t i = 0; i < figure.layers.size(); ++i) {
         if (figure.layers[i].visible) {
             addLayerParts(figure.layers[i], "/layers/" + std::to_string(i), lines);
         }
     }
+    for (std::size_t i = 0; i < figure.styles.size(); ++i) {
+        kept(figure.styles[i].texture.has_value(), ("/styles/" + std::to_string(i) + "/texture").c_str(),
+             "the style's texture is");
+    }
     kept(figure.importance.has_value(), "/importance", "importance is");
     kept(figure.stipple.has_value(), "/stipple", "stipples are");
     kept(!figure.annotations.empty(), "/annotations", "annotations are");
-    const GradientEstimator gradient = figure.quality.gradient;
-    kept(gradient != GradientEstimator::central && gradient != GradientEstimator::automatic, "/quality/gradient",
-         "gradients other than central are");
-    kept(figure.quality.interpolation == Interpolation::tricubic, "/quality/interpolation",
-         "tricubic interpolation is");
     kept(figure.quality.tolerance.has_value(), "/quality/tolerance", "the tolerance is");
     return lines;
 }

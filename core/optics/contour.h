@@ -37,14 +37,27 @@ T contourPush(const T& radius, const T& facing, const T& width) {
     return select(on, select(rim, T(1), min(T(1), pushed)), r);
 }
 
-/// Angle between two vectors of any length over the distance between them; 0 where one of them vanishes. As
-/// 2 atan2(|n0 - n1|, |n0 + n1|) of the unit vectors: the arc cosine loses half its digits near 1.
+/// Ink of a contour that is drawn over a colour rather than taken from a sphere's rim: 1 on it, falling to 0 over the
+/// last tenth of its width, so that its edge is not a staircase.
+template <typename T>
+T contourCoverage(const T& facing, const T& width) {
+    const T inner = T(0.9) * width;
+    return select(width > T(0), T(1) - smoothStep(inner, width, facing), T(0));
+}
+
+/// Angle between two vectors of any length (whose squares neither overflow nor vanish) over the distance between them;
+/// 0 where one of them vanishes or the distance does. As atan2(|n0 x n1|, n0.n1): the arc cosine loses half its digits
+/// near 1, |n0 - n1| takes a difference of lengths for an angle. The cross product is the shorter one's with n1 - n0,
+/// which nearly equal vectors lose no digit of, and neither do very different ones.
 template <typename T>
 T curvatureOfNormals(const Vector3<T>& n0, const Vector3<T>& n1, const T& distance) {
-    const Vector3<T> minus = {n0.x - n1.x, n0.y - n1.y, n0.z - n1.z};
-    const Vector3<T> plus = {n0.x + n1.x, n0.y + n1.y, n0.z + n1.z};
-    const T angle = T(2) * atan2(sqrt(dot(minus, minus)), sqrt(dot(plus, plus)));
-    return angle / distance;
+    const auto second = dot(n1, n1) < dot(n0, n0);
+    const Vector3<T> n = {select(second, n1.x, n0.x), select(second, n1.y, n0.y), select(second, n1.z, n0.z)};
+    const Vector3<T> step = {n1.x - n0.x, n1.y - n0.y, n1.z - n0.z};
+    const Vector3<T> cross = {n.y * step.z - n.z * step.y, n.z * step.x - n.x * step.z, n.x * step.y - n.y * step.x};
+    const T angle = atan2(sqrt(dot(cross, cross)), dot(n0, n1));
+    const auto apart = distance > T(0);
+    return select(apart, angle / select(apart, distance, T(1)), T(0));
 }
 
 /// The second derivatives of a field.

@@ -12,6 +12,9 @@
 
 // Everything one instruction set compiles sits in that set's own namespace, or the linker may keep one set's copy for
 // all of them. Without Highway the formulas are limner::optics.
+#if defined(HWY_TARGET_INCLUDE) && !defined(HWY_NAMESPACE)
+#error "include <hwy/highway.h> before the formulas: it names the instruction set"
+#endif
 #ifndef LIMNER_OPTICS_BEGIN
 #ifdef HWY_NAMESPACE
 #define LIMNER_OPTICS_BEGIN                                                                                            \
@@ -40,7 +43,10 @@ LIMNER_OPTICS_BEGIN
 /// SIMD vector type brings its own in its namespace, where argument-dependent lookup finds them:
 /// T(double) · + - * / and unary - · comparisons < <= > >= giving a mask · select(mask, T, T) ·
 /// min, max, abs, sqrt, exp, expm1, log1p, exp2, log2, pow, atan2.
+/// min and max give their first argument where one of the two is no number, as std::min and std::max do.
 /// The formulas never branch on data: both sides are evaluated, and both must be harmless to evaluate.
+
+inline constexpr double kLn2 = 0.69314718055994530942;
 
 using std::abs;
 using std::atan2;
@@ -83,6 +89,28 @@ T mixed(const T& a, const T& b, const T& w) {
 template <typename T>
 T clampedToUnit(const T& x) {
     return max(T(0), min(T(1), x));
+}
+
+/// x, or the other where x is infinite or no number.
+template <typename T>
+T finiteOr(const T& x, const T& other) {
+    return select(x - x >= T(0), x, other); // the difference is 0 or no number
+}
+
+/// x^y with its ends defined: 1 for y = 0, 0 for x <= 0 (y > 0; numerics.md, powc). What is no number stays none.
+/// Exponents below 0 belong to no formula.
+template <typename T>
+T powc(const T& x, const T& y) {
+    const auto nothing = x <= T(0);
+    const T power = exp2(y * log2(select(nothing, T(1), x)));
+    return select(abs(y) > T(0), select(nothing, T(0), power), T(1));
+}
+
+/// sign(x) powc(|x|, y): monotonic in x for every y.
+template <typename T>
+T spow(const T& x, const T& y) {
+    const T power = powc(abs(x), y);
+    return select(x < T(0), -power, power);
 }
 
 /// Hermite step; where the edges are equal it is the step `x >= edge` (GLSL leaves that open; numerics.md).

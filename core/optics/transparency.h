@@ -22,12 +22,9 @@ LIMNER_OPTICS_BEGIN
 template <typename T>
 T illustrativeOpacity(const T& directional, const T& opacity, const T& facing, const T& width,
                       const T& gradientMagnitude) {
-    const T g = clampedToUnit(gradientMagnitude);
-    const T exponent = T(0.5) + max(T(0), facing - width) * (T(1) - g);
-    const auto visible = opacity > T(0);
-    const auto whole = opacity >= T(1);
-    const T base = select(visible, select(whole, T(1), opacity), T(1));
-    return directional * select(visible, exp2(exponent * log2(base)), T(0));
+    const T overContour = max(T(0), clampedToUnit(facing) - width);
+    const T exponent = T(0.5) + overContour * (T(1) - clampedToUnit(gradientMagnitude));
+    return directional * select(opacity > T(0), powc(min(T(1), opacity), exponent), T(0));
 }
 
 LIMNER_OPTICS_END

@@ -2,12 +2,14 @@
 #include "core/figure/figure_json.h"
 #include "core/figure/presets.h"
 #include "core/project/archive.h"
+#include "core/project/label_volume.h"
 #include "core/project/project.h"
 #include "core/style/background_picture.h"
 
 #include <fstream>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 namespace limner {
 namespace {
@@ -39,6 +41,24 @@ std::string textOf(const fs::path& path) {
     return text.str();
 }
 
+/// Where a referred file is: beside the project in `folder`, or where it was.
+std::optional<fs::path> foundIn(const fs::path& folder, const std::string& path, const std::string& absolute) {
+    if (path.starts_with(kBuiltinPrefix)) {
+        return fs::path(path);
+    }
+    std::error_code ignored;
+    for (const fs::path& candidate : {path.empty() ? fs::path() : folder / path, fs::path(absolute)}) {
+        if (!candidate.empty() && (fs::is_regular_file(candidate, ignored) || fs::is_directory(candidate, ignored))) {
+            return candidate;
+        }
+    }
+    return std::nullopt;
+}
+
+LabelRequest labelRequest(const Figure& figure, const ImportOptions& options) {
+    return {figure.volume ? figure.volume->data : nullptr, options.memoryBudget};
+}
+
 /// What a figure refers to is looked for here.
 class Resolver {
   public:
@@ -63,6 +83,9 @@ class Resolver {
         for (StyleEntry& style : figure.styles) {
             if (style.sphere == nullptr) {
                 loadEntry(style);
+            }
+            if (style.texture && style.texture->tile == nullptr) {
+                loadTexture(style.id, *style.texture);
             }
         }
         if (figure.background.kind == "image" && figure.background.picture == nullptr) {
@@ -89,21 +112,6 @@ class Resolver {
         }
     }
 
-    /// Where a referred file is: beside the project, or where it was.
-    std::optional<fs::path> found(const std::string& path, const std::string& absolute) const {
-        if (path.starts_with(kBuiltinPrefix)) {
-            return fs::path(path);
-        }
-        std::error_code ignored;
-        for (const fs::path& candidate : {path.empty() ? fs::path() : folder_ / path, fs::path(absolute)}) {
-            if (!candidate.empty() &&
-                (fs::is_regular_file(candidate, ignored) || fs::is_directory(candidate, ignored))) {
-                return candidate;
-            }
-        }
-        return std::nullopt;
-    }
-
     /// `report`: of the main scan, which documents keep; null for others.
     void loadVolume(VolumeReference& reference, const std::string& what, ImportReport* report) {
         ImportOptions options = options_;
@@ -116,7 +124,7 @@ class Resolver {
                 imported = importVolume(unpack(*archive_->find(kEmbeddedName), temporary), ImportOptions{}, task_);
             });
         } else {
-            const std::optional<fs::path> path = found(reference.path, reference.absolutePath);
+            const std::optional<fs::path> path = foundIn(folder_, reference.path, reference.absolutePath);
             if (!path) {
                 note("the " + what + " " + reference.path + " was not found beside the figure" +
                      (reference.absolutePath.empty() ? "" : " nor at " + reference.absolutePath) +
@@ -140,14 +148,19 @@ class Resolver {
     }
 
     void loadLabels(LabelReference& reference) {
-        const std::optional<fs::path> path = found(reference.path, "");
+        const std::optional<fs::path> path = foundIn(folder_, reference.path, reference.absolutePath);
         if (!path) {
-            note("the labels " + reference.path + " were not found beside the figure");
+            note("the labels " + reference.path + " were not found beside the figure" +
+                 (reference.absolutePath.empty() ? "" : " nor at " + reference.absolutePath) +
+                 "; give their new place");
             return;
         }
-        ImportOptions options;
-        options.labels = true;
-        attempt("the labels", [&] { reference.data = importVolume(*path, options, task_).volume; });
+        attempt("the labels", [&] {
+            LabelReference loaded = openLabels(*path, labelRequest(document_.figure, options_), document_.notes, task_);
+            keepNames(reference, loaded);
+            loaded.path = reference.path;
+            reference = std::move(loaded);
+        });
     }
 
     void loadEntry(StyleEntry& style) {
@@ -161,14 +174,9 @@ class Resolver {
                 }
                 return;
             }
-            const ArchiveEntry* entry = archive_ ? archive_->find(style.file) : nullptr;
-            std::error_code ignored;
-            if (entry != nullptr && entry->kind == EntryKind::style) {
-                const TemporaryFolder temporary;
-                style.sphere = loadStyle(unpack(*entry, temporary)).sphere;
-            } else if (!archive_ && fs::is_regular_file(folder_ / style.file, ignored)) {
-                style.sphere = loadStyle(folder_ / style.file).sphere;
-            } else {
+            const bool there =
+                withPicture(style.file, [&](const fs::path& picture) { style.sphere = loadStyle(picture).sphere; });
+            if (!there) {
                 note("the style \"" + style.id + "\": the picture " + style.file + " is not there");
             }
         });
@@ -189,6 +197,40 @@ class Resolver {
                 note("the background's picture " + background.file + " is not there; its colour is drawn");
             }
         });
+    }
+
+    void loadTexture(const std::string& id, StyleTexture& texture) {
+        const std::string what = "the texture of the style \"" + id + "\"";
+        attempt(what, [&] {
+            if (texture.file.starts_with(kBundledPrefix)) {
+                texture.tile = findBundledTexture(texture.file.substr(std::string(kBundledPrefix).size()));
+                if (texture.tile == nullptr) {
+                    note(what + ": this version has no " + texture.file);
+                }
+                return;
+            }
+            const bool there =
+                withPicture(texture.file, [&](const fs::path& picture) { texture.tile = loadTextureTile(picture); });
+            if (!there) {
+                note(what + ": the picture " + texture.file + " is not there");
+            }
+        });
+    }
+
+    /// Calls `load` with a picture from inside the project or beside the figure; false where it is in neither.
+    template <class Load>
+    bool withPicture(const std::string& file, const Load& load) {
+        const ArchiveEntry* entry = archive_ ? archive_->find(file) : nullptr;
+        std::error_code ignored;
+        if (entry != nullptr && entry->kind == EntryKind::style) {
+            const TemporaryFolder temporary;
+            load(unpack(*entry, temporary));
+        } else if (!archive_ && fs::is_regular_file(folder_ / file, ignored)) {
+            load(folder_ / file);
+        } else {
+            return false;
+        }
+        return true;
     }
 
     /// Under a name of our own; only the ending, from a short list, is the entry's.
@@ -226,10 +268,26 @@ Document documentFromText(const std::string& text, const fs::path& path) {
     return document;
 }
 
-Document documentFromVolume(const fs::path& path, const std::string& preset, const ImportOptions& options, Task& task) {
+/// Opens the labels that were asked for in the place of the figure's own.
+void replaceLabels(Document& document, const LabelReference& own, const OpenOptions& options, Task& task) {
+    LabelReference labels =
+        openLabels(options.labels, labelRequest(document.figure, options.import), document.notes, task);
+    if (!foundIn(document.path.parent_path(), own.path, own.absolutePath)) {
+        keepNames(own, labels); // the same labels in a new place
+    }
+    document.figure.labels = std::move(labels);
+}
+
+Document documentFromVolume(const fs::path& path, const OpenOptions& open, Task& task) {
+    const ImportOptions& options = open.import;
     Document document;
     ImportedVolume imported = importVolume(path, options, task);
-    document.figure = figureFromPreset(preset.empty() ? "auto" : preset, imported.volume, document.notes);
+    std::optional<LabelReference> labels;
+    if (!open.labels.empty()) {
+        labels = openLabels(open.labels, {imported.volume, options.memoryBudget}, document.notes, task);
+    }
+    document.figure =
+        figureFromPreset(open.preset.empty() ? "auto" : open.preset, imported.volume, document.notes, labels);
     VolumeReference reference;
     reference.path = path.string();
     if (!reference.path.starts_with(kBuiltinPrefix)) {
@@ -249,7 +307,7 @@ Document documentFromVolume(const fs::path& path, const std::string& preset, con
 
 } // namespace
 
-Document openDocument(const fs::path& path, const std::string& preset, const ImportOptions& options, Task& task) {
+Document openDocument(const fs::path& path, const OpenOptions& options, Task& task) {
     std::string text;
     if (looksLikeArchive(path)) {
         const Archive archive(path);
@@ -269,10 +327,17 @@ Document openDocument(const fs::path& path, const std::string& preset, const Imp
                      fs::exists(path.string() + "~", ignored) ? "there is a backup: " + path.string() + "~"
                                                               : "check the path"});
     } else {
-        return documentFromVolume(path, preset, options, task);
+        return documentFromVolume(path, options, task);
     }
     Document document = documentFromText(text, path);
-    resolveFigure(document, path.parent_path(), options, task);
+    LabelReference own;
+    if (!options.labels.empty() && document.figure.labels) {
+        own = *std::exchange(document.figure.labels, std::nullopt);
+    }
+    resolveFigure(document, path.parent_path(), options.import, task);
+    if (!options.labels.empty()) {
+        replaceLabels(document, own, options, task);
+    }
     return document;
 }
 

@@ -18,10 +18,22 @@ struct Document {
     std::vector<std::string> notes; ///< what the user should know: volume moved or changed, unknown keys, ...
 };
 
-/// Opens a `.limner` project, a bare figure.json, or any volume (which gets the preset's figure; `preset` empty:
-/// "auto"). A missing volume is a note and leaves `volume->data` null; nothing is lost. Throws Error.
-Document openDocument(const std::filesystem::path& path, const std::string& preset, const ImportOptions& options,
-                      Task& task);
+struct OpenOptions {
+    std::string preset; ///< of a volume; empty: "auto"
+    /// Label volume of the scan; replaces a project's, whose own names and colours stay where its labels are not found.
+    std::filesystem::path labels;
+    ImportOptions import;
+};
+
+/// Opens a `.limner` project, a bare figure.json, or any volume (which gets the preset's figure). A missing volume is a
+/// note and leaves `volume->data` null; nothing is lost. Throws Error, also for `labels` that cannot be used.
+Document openDocument(const std::filesystem::path& path, const OpenOptions& options, Task& task);
+
+/// The same without labels of its own.
+inline Document openDocument(const std::filesystem::path& path, const std::string& preset, const ImportOptions& options,
+                             Task& task) {
+    return openDocument(path, OpenOptions{preset, {}, options}, task);
+}
 
 /// Loads volumes, labels and styles of a figure whose relative paths start at `folder`; what cannot be found becomes a
 /// note.

@@ -18,6 +18,7 @@
 #include <optional>
 #include <random>
 #include <set>
+#include <span>
 #include <sstream>
 
 #include <fcntl.h>
@@ -51,19 +52,28 @@ std::string safeName(const std::string& id) {
     return name.empty() ? "style" : name;
 }
 
-/// 16-bit PNG of a style's picture.
-std::string stylePng(const LitSphere& sphere, const fs::path& folder) {
+/// 16-bit PNG of a square picture.
+std::string picturePng(int size, std::span<const Rgba> pixels, const fs::path& folder) {
     const fs::path path = folder / "style.png";
-    OIIO::ImageSpec spec(sphere.size(), sphere.size(), 4, OIIO::TypeDesc::UINT16);
+    OIIO::ImageSpec spec(size, size, 4, OIIO::TypeDesc::UINT16);
     spec.attribute("oiio:ColorSpace", "sRGB");
     spec.attribute("oiio:UnassociatedAlpha", 1); // as the sphere has it
     const auto output = OIIO::ImageOutput::create(path.string());
     const bool written = output != nullptr && output->open(path.string(), spec) &&
-                         output->write_image(OIIO::TypeDesc::FLOAT, sphere.pixels().data()) && output->close();
+                         output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()) && output->close();
     if (!written) {
         fail(path, output == nullptr ? OIIO::geterror() : output->geterror());
     }
     return fileBytes(path);
+}
+
+/// The picture that a tile was made of: half its factors.
+std::vector<Rgba> tilePicture(const TextureTile& tile) {
+    std::vector<Rgba> pixels = tile.pixels();
+    for (Rgba& texel : pixels) {
+        texel = {texel.r / 2, texel.g / 2, texel.b / 2, 1};
+    }
+    return pixels;
 }
 
 std::string styleCard(const StyleEntry& style) {
@@ -86,6 +96,12 @@ class Contents {
         }
         placeVolume(figure_.volume, document.volumeReport, options.embedVolume);
         placeVolume(figure_.secondVolume, {}, false);
+        if (figure_.labels) {
+            placeBeside(figure_.labels->path, figure_.labels->absolutePath);
+            if (options.embedVolume) {
+                task.warn("the labels " + figure_.labels->path + " stay outside the project; keep them with it");
+            }
+        }
         placeStyles(document);
         placeBackground();
         placeOther(options);
@@ -150,42 +166,35 @@ class Contents {
             reference->sha256 = report.sha256Values;
             reference->bytes = static_cast<std::int64_t>(report.fileBytes);
         }
-        // Relative to the new place, so that project and scan may move together.
+        placeBeside(reference->path, reference->absolutePath);
+    }
+
+    /// Makes a path relative to the new place, so that project and scan may move together.
+    void placeBeside(std::string& path, const fs::path& absolute) const {
         std::error_code failure;
-        const fs::path absolute = reference->absolutePath;
         if (!absolute.empty() && fs::exists(absolute, failure)) {
             const fs::path folder = fs::weakly_canonical(fs::absolute(target_).parent_path(), failure);
             const fs::path relative = absolute.lexically_relative(folder);
-            reference->path = relative.empty() ? absolute.string() : relative.string();
+            path = relative.empty() ? absolute.string() : relative.string();
         }
     }
 
     void placeStyles(const Document& document) {
         for (StyleEntry& style : figure_.styles) {
-            if (style.file.starts_with("bundled:")) {
-                continue;
-            }
-            const bool inOld = old_ && old_->find(style.file) != nullptr;
-            if (inOld && !isBare()) {
-                keep(style.file);
+            if (stays(document, style.file)) {
                 keep(fs::path(style.file).replace_extension(".json").string());
-                continue;
+            } else if (style.sphere != nullptr) {
+                const std::string name = freshName(safeName(style.id));
+                add(name + ".png", picturePng(style.sphere->size(), style.sphere->pixels(), temporary_.path()), false);
+                add(name + ".json", styleCard(style), true);
+                style.file = name + ".png";
             }
-            if (style.sphere == nullptr) {
-                continue; // its picture was not found: the reference stays as it is
+            if (style.texture && !stays(document, style.texture->file) && style.texture->tile != nullptr) {
+                const TextureTile& tile = *style.texture->tile;
+                const std::string name = freshName(safeName(style.id) + "-texture");
+                add(name + ".png", picturePng(tile.size(), tilePicture(tile), temporary_.path()), false);
+                style.texture->file = name + ".png";
             }
-            const fs::path folder = document.path.parent_path();
-            std::error_code ignored;
-            if (isBare() && !old_ && !style.file.empty() && fs::equivalent(folder, target_.parent_path(), ignored)) {
-                continue; // stands beside the figure already
-            }
-            std::string name = "styles/" + safeName(style.id);
-            while (names_.count(name + ".png") > 0 || (old_ && old_->find(name + ".png") != nullptr)) {
-                name += "_";
-            }
-            add(name + ".png", stylePng(*style.sphere, temporary_.path()), false);
-            add(name + ".json", styleCard(style), true);
-            style.file = name + ".png";
         }
     }
 
@@ -218,6 +227,29 @@ class Contents {
         background.file = entry.name;
         names_.insert(entry.name);
         entries_.push_back(std::move(entry));
+    }
+
+    /// Whether a picture needs no writing: bundled, in the document's old file (whose entry is kept), or beside a bare
+    /// figure already.
+    bool stays(const Document& document, const std::string& file) {
+        if (file.starts_with("bundled:")) {
+            return true;
+        }
+        if (old_ && old_->find(file) != nullptr && !isBare()) {
+            return keep(file);
+        }
+        std::error_code ignored;
+        return isBare() && !old_ && !file.empty() &&
+               fs::equivalent(document.path.parent_path(), target_.parent_path(), ignored);
+    }
+
+    /// A name for pictures that is neither given yet nor in the old file.
+    [[nodiscard]] std::string freshName(const std::string& stem) const {
+        std::string name = "styles/" + stem;
+        while (names_.count(name + ".png") > 0 || (old_ && old_->find(name + ".png") != nullptr)) {
+            name += "_";
+        }
+        return name;
     }
 
     void placeOther(const SaveOptions& options) {

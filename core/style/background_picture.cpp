@@ -25,7 +25,7 @@ constexpr double kUnpackedFreely = 1U << 30U;
 constexpr double kBestPacking = 2000;
 
 PictureRows openRows(const fs::path& file) {
-    return {file, {"the background's picture", "use a PNG, TIFF, JPEG, EXR or WebP picture"}};
+    return {file, {"cannot read the background's picture", "use a PNG, TIFF, JPEG, EXR or WebP picture"}};
 }
 
 /// What of the source a copy shows. Lengths in pixels of the source.

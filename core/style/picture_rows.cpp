@@ -134,7 +134,7 @@ std::span<const Rgba> PictureRows::read(int y) {
 }
 
 void PictureRows::fail(const std::string& why, const std::string& remedy) const {
-    throw Error(ErrorKind::badInput, {"cannot read " + reader_->words.what, reader_->file.string(), why, remedy});
+    throw Error(ErrorKind::badInput, {reader_->words.what, reader_->file.string(), why, remedy});
 }
 
 } // namespace limner

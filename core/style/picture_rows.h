@@ -13,7 +13,7 @@ namespace limner {
 /// reads; grey or colour, with or without alpha; linear pictures come sRGB-encoded; NaN counts as 0. One thread.
 class PictureRows {
   public:
-    /// For messages: "cannot read `what`", and what to use instead where it is no picture at all.
+    /// For messages: what went wrong ("cannot read the style"), and what to use instead where it is no picture at all.
     struct Words {
         std::string what;
         std::string instead;

@@ -1,6 +1,6 @@
 #include "core/base/error.h"
 #include "core/style/lit_sphere.h"
-#include "core/style/picture_rows.h"
+#include "core/style/square_picture.h"
 
 #include <nlohmann/json.hpp>
 
@@ -13,34 +13,16 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Below 4 there is no disk to speak of; above 8192 a style holds nothing a figure could show.
-constexpr int kSmallest = 4;
-constexpr int kLargest = 8192;
+constexpr PictureRules kSpheres{"cannot read the style",
+                                {4, 8192},
+                                "crop it to the square around the ball",
+                                "bring it to a width from 4 to 8192, 512 is plenty",
+                                "use a PNG, TIFF, JPEG or EXR picture of a shaded ball"};
 /// A card is a few hundred bytes; a file past this is something else.
 constexpr std::uintmax_t kLargestCard = 1U << 20U;
 
 [[noreturn]] void fail(const fs::path& file, const std::string& why, const std::string& remedy) {
-    throw Error(ErrorKind::badInput, {"cannot read the style", file.string(), why, remedy});
-}
-
-void checkSize(const PictureRows& rows) {
-    const std::string size = std::to_string(rows.width()) + " x " + std::to_string(rows.height()) + " pixels";
-    if (rows.width() != rows.height()) {
-        rows.fail(size + " are not square", "crop it to the square around the ball");
-    }
-    if (rows.width() < kSmallest || rows.width() > kLargest) {
-        rows.fail(size + " are out of range", "bring it to a width from 4 to 8192, 512 is plenty");
-    }
-}
-
-LitSphere readSphere(const fs::path& file) {
-    PictureRows rows(file, {"the style", "use a PNG, TIFF, JPEG or EXR picture of a shaded ball"});
-    checkSize(rows);
-    std::vector<Rgba> pixels;
-    for (int y = 0; y < rows.height(); y += rows.bandRows()) {
-        const std::span<const Rgba> band = rows.read(y);
-        pixels.insert(pixels.end(), band.begin(), band.end());
-    }
-    return {rows.width(), std::move(pixels)};
+    throw Error(ErrorKind::badInput, {kSpheres.what, file.string(), why, remedy});
 }
 
 } // namespace
@@ -76,8 +58,10 @@ StyleCard loadStyleCard(const fs::path& file) {
 Style loadStyle(const fs::path& picture) {
     fs::path card = picture;
     card.replace_extension(".json");
+    StyleCard read = loadStyleCard(card);
+    SquarePicture square = readSquarePicture(picture, kSpheres);
     try {
-        return {loadStyleCard(card), std::make_shared<const LitSphere>(readSphere(picture))};
+        return {std::move(read), std::make_shared<const LitSphere>(square.size, std::move(square.pixels))};
     } catch (const std::bad_alloc&) {
         throw Error(ErrorKind::noResources,
                     {"cannot read the style", picture.string(), "out of memory", "use a smaller picture"});

@@ -17,7 +17,8 @@ class TextureTile {
     TextureTile(int size, std::vector<Rgba> pixels) : size_(size), pixels_(std::move(pixels)) {}
     [[nodiscard]] int size() const { return size_; }
     [[nodiscard]] const std::vector<Rgba>& pixels() const { return pixels_; }
-    /// Bilinear, repeating; u and v count tiles.
+    /// Bilinear between texel centres, repeating; u and v count tiles, u to the right and v down: texel (x, y) has its
+    /// centre at ((x + 0.5) / size, (y + 0.5) / size).
     [[nodiscard]] Rgba at(double u, double v) const;
 
   private:
@@ -25,11 +26,12 @@ class TextureTile {
     std::vector<Rgba> pixels_;
 };
 
-/// Reads a tile (any format OpenImageIO reads, square, 16 to 2048 pixels; resampled to a power of two). Throws
-/// Error(badInput).
+/// Reads a tile (any format OpenImageIO reads, square, 16 to 2048 pixels; resampled to the next power of two; clear
+/// texels become the factor 1, alpha itself is not kept). Throws Error(badInput).
 std::shared_ptr<const TextureTile> loadTextureTile(const std::filesystem::path& picture);
 
-/// The bundled tile of that id ("paper", "marble", ...), from `resourcesFolder()/textures`; null where there is none.
+/// The bundled tile of that id ("paper", "marble", ...), from `resourcesFolder()/textures`, read on first use; null
+/// where there is none. Thread-safe.
 std::shared_ptr<const TextureTile> findBundledTexture(const std::string& id);
 
 } // namespace limner

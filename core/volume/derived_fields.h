@@ -15,20 +15,24 @@ namespace limner {
 /// backend reads them at the place where it reads the voxels. Deterministic, parallel, thread-safe; throw
 /// Error(cancelled) and Error(noResources).
 
-/// Coefficients of the cubic B-spline that passes through the voxels (recursive prefilter of Unser 1999, mirrored
-/// borders). Kept as int16 with a slope and intercept of their own (16 bits over the coefficients' range), as float32
-/// for float32 sources. `range()` is the coefficients'.
+/// Coefficients of the cubic B-spline that passes through the voxels (recursive prefilter of Unser 1999). To be read
+/// with indices clamped to the volume: the data count as mirrored at the border voxels' faces, f[-1-k] = f[k], so that
+/// the spline passes through the border's voxels too, and is that of the mirrored data in all of [0, dims - 1]. An axis
+/// of one voxel stays unchanged. Kept as int16 with a slope and intercept of their own (16 bits over the coefficients'
+/// range), as float32 in the source's units for float32 sources. `range()` is the coefficients'.
 std::shared_ptr<const Volume> splineCoefficients(const Volume& source, Task& task);
 
-/// Gaussian blur; sigma in voxels along each axis, 0: none. int16, or float32 for float32 sources.
+/// Gaussian blur; sigma in voxels along each axis, 0: none; the border voxel repeats outside. Sampled weights up to 4
+/// sigma: the cost grows with sigma. int16 over the result's range, or float32 for float32 sources.
 std::shared_ptr<const Volume> gaussianBlurred(const Volume& source, const glm::dvec3& sigmaVoxels, Task& task);
 
 /// Exact Euclidean distance in mm (Felzenszwalb and Huttenlocher 2012, anisotropic spacing) from every voxel centre to
-/// the nearest voxel of the label; 0 inside; int16. Nothing where no voxel has the label.
+/// the nearest voxel of the label; 0 inside; int16 in steps of the largest distance / 65535. Nothing where no voxel has
+/// the label.
 std::shared_ptr<const Volume> distanceToLabel(const Volume& labels, int label, Task& task);
 
-/// The source on another grid: trilinear, int16 with the source's range (float32 sources too); outside the source its
-/// lowest value. Grids of any direction and spacing.
+/// The source on another grid: trilinear, int16 with the source's range (float32 sources too). The source reaches half
+/// a voxel past its outer centres; outside it its lowest value. Grids of any direction and spacing.
 std::shared_ptr<const Volume> resampledValues(const Volume& source, const Grid& grid, Task& task);
 
 /// Slot of the label of every voxel of `grid` (nearest voxel of `labels`), uint8: `slotOf[label]`, 0 for labels that it

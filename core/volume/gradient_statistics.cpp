@@ -25,7 +25,12 @@ struct Sample {
     float gradient = 0;
     float lowestNear = 0; ///< of the voxel and the six around it
     float roughness = -1; ///< gradient magnitude as noise alone would give it; < 0: not measured here
+    float fourth = 0;     ///< the same from fourth differences, which smooth matter hardly has; where roughness is
+    float variation = 0;  ///< sum over the axes of |after - before|, in stored units
+    float steps = 0;      ///< the part of it where the voxel equals one of the two
 };
+
+constexpr double kStrong = 1.0 / 8; ///< of p999: gradients of surfaces, down to those of weak contrast
 
 int latticeStride(const Grid& grid) {
     int stride = 1;
@@ -43,11 +48,18 @@ int latticeStride(const Grid& grid) {
 struct Measure {
     glm::vec3 halfPerMm{0.5F}; ///< per axis: 1 / (2 * spacing)
     float sign = 1;            ///< -1 where values fall as stored numbers rise
+    glm::ivec3 dims{1};        ///< of the volume
 };
 
-/// `p`: the voxel in its brick. `wide`: whether voxels two away may be read on every side.
+/// What lies around a voxel.
+struct Surroundings {
+    bool wide = false;       ///< voxels two away may be read on every side
+    glm::bvec3 within{true}; ///< by axis: both neighbours are voxels of their own, not the border's repeated
+};
+
+/// `p`: the voxel in its brick.
 template <typename T>
-Sample sampleAt(const T* p, const Measure& measure, bool wide) {
+Sample sampleAt(const T* p, const Measure& measure, const Surroundings& around) {
     constexpr std::array<int, 3> offsets = {1, BrickLayout::kRow, BrickLayout::kSlice};
     const glm::vec3& halfPerMm = measure.halfPerMm;
     const float centre = measure.sign * static_cast<float>(*p);
@@ -56,32 +68,44 @@ Sample sampleAt(const T* p, const Measure& measure, bool wide) {
     sample.lowestNear = centre;
     float squared = 0;
     float roughness = 0;
+    float fourth = 0;
     for (int axis = 0; axis < 3; ++axis) {
         const float before = measure.sign * static_cast<float>(p[-offsets[axis]]);
         const float after = measure.sign * static_cast<float>(p[offsets[axis]]);
         const float g = (after - before) * halfPerMm[axis];
         squared += g * g;
         sample.lowestNear = std::min({sample.lowestNear, before, after});
-        if (wide) {
+        const float variation = around.within[axis] ? std::abs(after - before) : 0;
+        sample.variation += variation;
+        sample.steps += centre == before || centre == after ? variation : 0;
+        if (around.wide) {
             const float outer = static_cast<float>(p[-2 * offsets[axis]]) + static_cast<float>(p[2 * offsets[axis]]);
             const float d = (measure.sign * outer - 2 * centre) * halfPerMm[axis];
             roughness += d * d / 3; // variance 6 of white noise against 2 of a central difference
+            const float f = (measure.sign * outer - 4 * (before + after) + 6 * centre) * halfPerMm[axis];
+            fourth += f * f / 35; // variance 70 of white noise
         }
     }
     sample.gradient = std::sqrt(squared);
-    sample.roughness = wide ? std::sqrt(roughness) : -1;
+    sample.roughness = around.wide ? std::sqrt(roughness) : -1;
+    sample.fourth = std::sqrt(fourth);
     return sample;
 }
 
 template <typename T>
 void sampleBrick(const OwnedBrick<T>& brick, int stride, const Measure& measure, std::vector<Sample>& out) {
+    constexpr int kLast = BrickLayout::kBrickCells - 1; // the apron after it is one voxel wide
+    const glm::ivec3 last = measure.dims - 1;
     const auto firstAtOrAfter = [&](int origin) { return (stride - origin % stride) % stride; };
     for (int z = firstAtOrAfter(brick.origin.z); z < brick.size.z; z += stride) {
         for (int y = firstAtOrAfter(brick.origin.y); y < brick.size.y; y += stride) {
             const T* row = brick.row(y, z);
             for (int x = firstAtOrAfter(brick.origin.x); x < brick.size.x; x += stride) {
-                constexpr int kLast = BrickLayout::kBrickCells - 1; // the apron after it is one voxel wide
-                out.push_back(sampleAt(row + x, measure, x < kLast && y < kLast && z < kLast));
+                const glm::ivec3 voxel = brick.origin + glm::ivec3(x, y, z);
+                const Surroundings around{x < kLast && y < kLast && z < kLast,
+                                          glm::bvec3(voxel.x > 0 && voxel.x<last.x, voxel.y> 0 &&
+                                                     voxel.y<last.y, voxel.z> 0 && voxel.z < last.z)};
+                out.push_back(sampleAt(row + x, measure, around));
             }
         }
     }
@@ -90,7 +114,8 @@ void sampleBrick(const OwnedBrick<T>& brick, int stride, const Measure& measure,
 template <typename T>
 std::vector<std::vector<Sample>> sampleVolume(const Volume& volume) {
     const int stride = latticeStride(volume.grid());
-    const Measure measure{glm::vec3(0.5 / volume.grid().spacingMm), volume.contents().slope < 0 ? -1.0F : 1.0F};
+    const Measure measure{glm::vec3(0.5 / volume.grid().spacingMm), volume.contents().slope < 0 ? -1.0F : 1.0F,
+                          volume.grid().dims};
     const std::size_t bricks = volume.layout().brickCount();
     std::vector<std::vector<Sample>> samples(bricks);
     tbb::parallel_for(std::size_t{0}, bricks, [&](std::size_t b) {
@@ -186,6 +211,30 @@ GradientStatistics statisticsOf(const std::vector<std::vector<Sample>>& samples,
     return statistics;
 }
 
+double noiseToSignalOf(const std::vector<std::vector<Sample>>& samples, double p999) {
+    std::vector<float> ratios;
+    for (const auto& brick : samples) {
+        for (const Sample& s : brick) {
+            if (s.roughness >= 0 && s.gradient > 0 && s.gradient >= kStrong * p999) {
+                ratios.push_back(s.fourth / s.gradient);
+            }
+        }
+    }
+    return quantile(ratios, 0.5);
+}
+
+double stepShareOf(const std::vector<std::vector<Sample>>& samples) {
+    double variation = 0;
+    double steps = 0;
+    for (const auto& brick : samples) {
+        for (const Sample& s : brick) {
+            variation += s.variation;
+            steps += s.steps;
+        }
+    }
+    return variation > 0 ? steps / variation : 0;
+}
+
 } // namespace
 
 GradientStatistics computeGradientStatistics(const Volume& volume) {
@@ -195,6 +244,8 @@ GradientStatistics computeGradientStatistics(const Volume& volume) {
     const auto low = static_cast<float>(sign * volume.storedFromValue(volume.range().low));
     const auto high = static_cast<float>(sign * volume.storedFromValue(volume.range().high));
     GradientStatistics statistics = statisticsOf(samples, otsuThreshold(samples, low, high));
+    statistics.noiseToSignal = noiseToSignalOf(samples, statistics.p999);
+    statistics.stepShare = stepShareOf(samples);
     const double unit = std::abs(volume.contents().slope);
     statistics.p999 *= unit;
     statistics.noise *= unit;

@@ -25,21 +25,6 @@ std::uint64_t defaultBudget() {
     return pages * pageBytes / 4 * 3;
 }
 
-bool startsAsNifti(const std::string& head) {
-    if (head.size() < 348) {
-        return false;
-    }
-    const auto bytes = std::as_bytes(std::span(head));
-    for (const bool swapped : {false, true}) {
-        const auto size = word<std::int32_t>(bytes, 0, swapped);
-        if (size == 348 || (size == 540 && head.compare(4, 2, "n+") == 0) ||
-            (size == 540 && head.compare(4, 2, "ni") == 0)) {
-            return true;
-        }
-    }
-    return false;
-}
-
 bool startsAsPicture(const std::string& head) {
     return head.starts_with("\x89PNG\r\n\x1a\n") || head.starts_with(std::string("II*\0", 4)) ||
            head.starts_with(std::string("MM\0*", 4)) || head.starts_with(std::string("II+\0", 4)) ||

@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -34,8 +33,7 @@ struct ImportReport {
     std::string type;         ///< of the numbers in the file: "int16", "float32", ...
     std::string sha256Values; ///< of the stored numbers, little-endian, x fastest, before slope and intercept
     std::uintmax_t fileBytes = 0;
-    double quantisationError = 0; ///< largest |kept - read| in the data's unit; 0: exact
-    std::map<std::string, std::string> labelNames;
+    double quantisationError = 0;      ///< largest |kept - read| in the data's unit; 0: exact
     std::vector<SeriesSummary> series; ///< DICOM folders
     std::vector<std::string> warnings; ///< what was repaired or guessed, one line each
 };

@@ -1,12 +1,12 @@
 #include "core/volume/import_bytes.h"
 #include "core/volume/import_parts.h"
-#include "core/volume/import_xml.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 // NIfTI-1 and -2 (nifti.nimh.nih.gov) and Analyze 7.5. World axes of the files are RAS; Limner's are LPS.
 
@@ -222,48 +222,6 @@ void place(Context& context, const NiftiHeader& h, int used, StoredVolume& store
     stored.originMm = affine.origin * lpsFromRas;
 }
 
-/// Names of labels in an XML header extension (Caret's label table, as many segmentation tools write it).
-void readLabelNames(Context& context, const std::string& xml) {
-    std::string key;
-    XmlHandler handler;
-    handler.started = [&](const XmlElement& element) {
-        key = element.name == "Label" ? std::string(element.attribute("Key")) : std::string();
-    };
-    handler.text = [&](std::string_view text) {
-        if (!key.empty() && context.report.labelNames[key].size() < 200) {
-            context.report.labelNames[key] += text;
-        }
-    };
-    handler.ended = [&](std::string_view) { key.clear(); };
-    if (!parseXml(xml, handler)) {
-        context.warn("the header extension with label names is damaged");
-    }
-}
-
-void readExtensions(Context& context, ByteStream& stream, std::uint64_t length, bool swapped) {
-    constexpr std::uint64_t kLargest = 16 << 20; // label tables take kilobytes
-    if (length < 4 + 8 || length > kLargest) {
-        skipBytes(context, stream, length);
-        return;
-    }
-    ByteBuffer bytes(length);
-    readAll(context, stream, bytes.span());
-    const auto all = std::as_const(bytes).span();
-    std::size_t at = 4;
-    while (std::to_integer<int>(all[0]) != 0 && at + 8 <= all.size()) {
-        const auto size = static_cast<std::int64_t>(word<std::int32_t>(all, at, swapped));
-        if (size < 8 || static_cast<std::size_t>(size) > all.size() - at) {
-            break;
-        }
-        std::string text(reinterpret_cast<const char*>(all.data()) + at + 8, static_cast<std::size_t>(size) - 8);
-        text.resize(text.find_last_not_of('\0') + 1);
-        if (text.find("<Label ") != std::string::npos) {
-            readLabelNames(context, text);
-        }
-        at += static_cast<std::size_t>(size);
-    }
-}
-
 /// The other half of a .hdr/.img pair.
 std::filesystem::path partner(const Context& context, const std::filesystem::path& path, const std::string& ending) {
     const bool gz = lowered(path.extension().string()) == ".gz";
@@ -277,6 +235,13 @@ std::filesystem::path partner(const Context& context, const std::filesystem::pat
     }
     context.refuse("there is no " + stem.stem().string() + ending + " beside it",
                    "keep the .hdr and the .img together");
+}
+
+/// The file that holds the header.
+std::filesystem::path headerFile(const Context& context) {
+    const std::string name = lowered(context.path.filename().string());
+    const bool isImage = name.ends_with(".img") || name.ends_with(".img.gz");
+    return isImage ? partner(context, context.path, ".hdr") : context.path;
 }
 
 Compression compressionOf(const std::filesystem::path& file) {
@@ -324,12 +289,78 @@ void setScaling(const Context& context, const NiftiHeader& h, StoredVolume& stor
     }
 }
 
+std::uint64_t dataOffset(const Context& context, const NiftiHeader& h) {
+    constexpr double kLongestHeader = 1 << 30;
+    if (!(h.voxOffset >= 0 && h.voxOffset <= kLongestHeader)) {
+        context.refuse("its data should start at an impossible place");
+    }
+    return static_cast<std::uint64_t>(h.voxOffset);
+}
+
+/// The extensions in what follows the header: four bytes, of which the first says whether there are any, then size
+/// (with the eight bytes of size and code), code and content of each.
+std::vector<std::string> splitExtensions(const Context& context, std::span<const std::byte> all, bool swapped) {
+    constexpr std::size_t kStart = 4;
+    constexpr std::size_t kHead = 8;
+    std::vector<std::string> result;
+    std::size_t at = kStart;
+    while (at + kHead <= all.size() && std::to_integer<int>(all[0]) != 0) {
+        const auto size = static_cast<std::int64_t>(word<std::int32_t>(all, at, swapped));
+        if (size == 0) {
+            break; // the rest up to the data
+        }
+        if (size < static_cast<std::int64_t>(kHead) || static_cast<std::size_t>(size) > all.size() - at) {
+            context.warn("a header extension of " + std::to_string(size) + " bytes, where " +
+                         std::to_string(all.size() - at) + " are left, was left out");
+            break;
+        }
+        std::string text(reinterpret_cast<const char*>(all.data()) + at + kHead,
+                         static_cast<std::size_t>(size) - kHead);
+        text.resize(text.find_last_not_of('\0') + 1);
+        result.push_back(std::move(text));
+        at += static_cast<std::size_t>(size);
+    }
+    return result;
+}
+
 } // namespace
 
+bool startsAsNifti(const std::string& head) {
+    if (head.size() < 348) {
+        return false;
+    }
+    const auto bytes = std::as_bytes(std::span(head));
+    for (const bool swapped : {false, true}) {
+        const auto size = word<std::int32_t>(bytes, 0, swapped);
+        if (size == 348 || (size == 540 && head.compare(4, 2, "n+") == 0) ||
+            (size == 540 && head.compare(4, 2, "ni") == 0)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+std::vector<std::string> niftiExtensions(const Context& context) {
+    constexpr std::uint64_t kLargest = 16 << 20; // tables of labels take kilobytes
+    const std::filesystem::path header = headerFile(context);
+    const auto stream = openStream(context, header, compressionOf(header));
+    std::size_t headerLength = 0;
+    const NiftiHeader h = readHeader(context, *stream, headerLength);
+    if (h.version == 0) {
+        return {}; // Analyze has none
+    }
+    // Of a pair, the rest of the header's file.
+    const std::uint64_t offset = h.pair ? headerLength + kLargest : dataOffset(context, h);
+    if (offset <= headerLength || offset - headerLength > kLargest) {
+        return {};
+    }
+    ByteBuffer bytes(std::min(offset - headerLength, stream->atMost()));
+    const std::size_t length = stream->read(bytes.span());
+    return splitExtensions(context, std::as_const(bytes).span().first(length), h.swapped);
+}
+
 StoredVolume readNifti(Context& context) {
-    const std::string name = lowered(context.path.filename().string());
-    const bool isImage = name.ends_with(".img") || name.ends_with(".img.gz");
-    const std::filesystem::path header = isImage ? partner(context, context.path, ".hdr") : context.path;
+    const std::filesystem::path header = headerFile(context);
     auto stream = openStream(context, header, compressionOf(header));
     std::size_t headerLength = 0;
     const NiftiHeader h = readHeader(context, *stream, headerLength);
@@ -347,18 +378,14 @@ StoredVolume readNifti(Context& context) {
     setScaling(context, h, stored);
     checkGeometry(context, stored);
 
-    constexpr double kLongestHeader = 1 << 30;
-    if (!(h.voxOffset >= 0 && h.voxOffset <= kLongestHeader)) {
-        context.refuse("its data should start at an impossible place");
-    }
-    auto offset = static_cast<std::uint64_t>(h.voxOffset);
+    std::uint64_t offset = dataOffset(context, h);
     if (h.pair) {
         const std::filesystem::path image = partner(context, context.path, ".img");
         stream = openStream(context, image, compressionOf(image));
         skipBytes(context, *stream, offset);
     } else {
         offset = std::max<std::uint64_t>(offset, headerLength); // 0 is found in the wild
-        readExtensions(context, *stream, offset - headerLength, h.swapped);
+        skipBytes(context, *stream, offset - headerLength);
     }
     const std::int64_t dims[] = {stored.dims.x, stored.dims.y, stored.dims.z,
                                  static_cast<std::int64_t>(sample.components)};

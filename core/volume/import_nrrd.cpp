@@ -305,20 +305,14 @@ void place(Context& context, const NrrdHeader& header, const Axes& axes, StoredV
     }
 }
 
-/// Modality and label names, as 3D Slicer and others write them.
-void readKeys(Context& context, const NrrdHeader& header, StoredVolume& stored) {
+/// Modality, as 3D Slicer and others write it.
+void readKeys(const NrrdHeader& header, StoredVolume& stored) {
     for (const auto& [key, value] : header.keys) {
         const std::string name = lowered(key);
         if (name == "modality" || name == "dicom_0008_0060") {
             const std::string modality = lowered(trimmed(value));
             stored.modalityKnown = true;
             stored.modality = modality == "ct" ? Modality::ct : modality == "mr" ? Modality::mr : Modality::unknown;
-        }
-        if (key.starts_with("Segment") && key.ends_with("_LabelValue")) {
-            const auto named = header.keys.find(key.substr(0, key.size() - 11) + "_Name");
-            if (named != header.keys.end()) {
-                context.report.labelNames[std::string(trimmed(value))] = trimmed(named->second);
-            }
         }
     }
 }
@@ -377,6 +371,8 @@ DataLayout layoutOf(const Context& context, const NrrdHeader& header, ScalarType
 
 } // namespace
 
+std::map<std::string, std::string> nrrdKeys(const Context& context) { return readHeader(context).keys; }
+
 StoredVolume readNrrd(Context& context) {
     const NrrdHeader header = readHeader(context);
     StoredVolume stored;
@@ -389,7 +385,7 @@ StoredVolume readNrrd(Context& context) {
     expectComponents(context, axes.components, std::to_string(axes.components) + " components per voxel");
     expectComponents(context, axes.frames, std::to_string(axes.frames) + " volumes (4D data)");
     place(context, header, axes, stored);
-    readKeys(context, header, stored);
+    readKeys(header, stored);
     checkGeometry(context, stored);
     const DataLayout layout = layoutOf(context, header, stored.type);
     stored.values = readNumbers(context, layout, stored.type, total / axes.frames, total);

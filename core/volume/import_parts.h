@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -155,6 +156,17 @@ StoredVolume readInvesalius(Context& context);
 StoredVolume readRaw(Context& context);
 StoredVolume readDicom(Context& context);
 StoredVolume readBuiltin(Context& context);
+
+// ---- What headers hold beside the numbers
+
+/// Whether the first bytes of a file are a NIfTI header's, or Analyze's.
+bool startsAsNifti(const std::string& head);
+
+/// Contents of a NIfTI header's extensions without the zeros at their ends; at most 16 MiB together.
+std::vector<std::string> niftiExtensions(const Context& context);
+
+/// The `key:=value` lines of a NRRD header.
+std::map<std::string, std::string> nrrdKeys(const Context& context);
 
 /// Whether the path names a volume that is computed ("builtin:head") instead of a file.
 bool isBuiltin(const std::filesystem::path& path);

@@ -8,6 +8,7 @@
 
 #include "renderer/cpu/kernel_scene.h"
 #include "renderer/cpu/lanes-inl.h"
+#include "renderer/cpu/taps-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace limner::HWY_NAMESPACE {
@@ -23,6 +24,16 @@ template <typename Offset>
 struct CellPlace {
     Offsets<Offset> offsets; ///< bytes from the store's begin to the cell's lower voxel
     Floats fx, fy, fz;
+
+    /// The same voxel in a store of the same layout, `Bytes` a voxel instead of `Own`.
+    template <int Bytes, int Own>
+    [[nodiscard]] HWY_INLINE Offsets<Offset> offsetsIn() const {
+        Offsets<Offset> other;
+        for (std::size_t lane = 0; lane < hn::Lanes(kI); ++lane) {
+            other.at[lane] = offsets.at[lane] / Own * Bytes;
+        }
+        return other;
+    }
 };
 
 /// `Voxel`: std::uint8_t, std::int16_t or float. Values and gradients come in the kernel's own units: for integer
@@ -35,6 +46,9 @@ struct Field {
     static constexpr int kSliceBytes = BrickLayout::kSlice * kBytes;
     static constexpr float kScale = kInteger ? 32767.0F : 1.0F;
     using Place = CellPlace<Offset>;
+
+    /// Spline coefficients beside these voxels: see KernelScene::gradientOfOwnType.
+    using Coefficient = std::conditional_t<kInteger, std::int16_t, float>;
 
     const KernelScene& scene;
 
@@ -105,12 +119,30 @@ struct Field {
         }
     }
 
-    HWY_INLINE Floats value(const Place& place) const {
+    HWY_INLINE Floats value(const Place& place) const { return scene.spline ? splineValue(place) : trilinear(place); }
+
+    HWY_INLINE Floats trilinear(const Place& place) const {
         const Ints weight = pairWeights(place.fx);
         const Floats low = lerp(row(place, 0, weight), row(place, kRowBytes, weight), place.fy);
         const Floats high =
             lerp(row(place, kSliceBytes, weight), row(place, kSliceBytes + kRowBytes, weight), place.fy);
         return lerp(low, high, place.fz);
+    }
+
+    HWY_NOINLINE Floats splineValue(const Place& place) const {
+        const Taps x = splineTaps(place.fx);
+        const Taps y = splineTaps(place.fy);
+        const Taps z = splineTaps(place.fz);
+        const Rows<Voxel, Offset> rows(scene.bricks, place.offsets);
+        Floats sum = splat(0);
+        for (int k = 0; k < 4; ++k) {
+            Floats slice = splat(0);
+            for (int j = 0; j < 4; ++j) {
+                slice = hn::MulAdd(y.at[j], weighted(rows.row(j, k), x), slice);
+            }
+            sum = hn::MulAdd(z.at[k], slice, sum);
+        }
+        return hn::Mul(sum, splat(kScale));
     }
 
     /// A row's interpolated value and its difference between one voxel further and one voxel before.
@@ -139,8 +171,49 @@ struct Field {
         }
     }
 
+    /// By the scene's estimator, in the units that its matrix expects. `q`: where the place is.
+    HWY_INLINE Vec3 gradient(const Place& place, const Vec3& q) const {
+        if (scene.gradient == KernelGradient::central) {
+            return centralGradient(place);
+        }
+        return scene.gradient == KernelGradient::taps ? tapsGradient(place) : fourthOrderGradient(q);
+    }
+
+    HWY_NOINLINE Vec3 tapsGradient(const Place& place) const {
+        const AxisTaps x = gradientTaps(scene.gradientTaps, place.fx);
+        const AxisTaps y = gradientTaps(scene.gradientTaps, place.fy);
+        const AxisTaps z = gradientTaps(scene.gradientTaps, place.fz);
+        return scene.gradientOfOwnType ? tapsGradientOf<Voxel>(place, x, y, z)
+                                       : tapsGradientOf<Coefficient>(place, x, y, z);
+    }
+
+    HWY_NOINLINE BendSums bends(const Place& place) const {
+        return scene.gradientOfOwnType ? bendsOf<Voxel>(place) : bendsOf<Coefficient>(place);
+    }
+
+    /// (8 (f(q + 1) - f(q - 1)) - (f(q + 2) - f(q - 2))) / 6 along each axis: like a difference over two voxels.
+    HWY_NOINLINE Vec3 fourthOrderGradient(const Vec3& q) const {
+        const auto over = [&](float x, float y, float z) HWY_ATTR {
+            const auto at = [&](float sign) HWY_ATTR {
+                const auto moved = [&](Floats from, float by, int axis) HWY_ATTR {
+                    const Floats to = hn::Add(from, splat(sign * by));
+                    return hn::Min(hn::Max(to, splat(0)), splat(scene.lastCell[axis]));
+                };
+                const Mask all = hn::FirstN(kF, hn::Lanes(kF));
+                return trilinear(locate({moved(q.x, x, 0), moved(q.y, y, 1), moved(q.z, z, 2)}, all));
+            };
+            return hn::Sub(at(1), at(-1));
+        };
+        const auto along = [&](float x, float y, float z) HWY_ATTR {
+            const Floats near = over(x, y, z);
+            const Floats far = over(2 * x, 2 * y, 2 * z);
+            return hn::Mul(hn::NegMulAdd(splat(0.125F), far, near), splat(4.0F / 3));
+        };
+        return {along(1, 0, 0), along(0, 1, 0), along(0, 0, 1)};
+    }
+
     /// f(q + 1) - f(q - 1) along each axis, exactly for the trilinear field: 12 rows instead of 6 * 8 corners.
-    HWY_INLINE Vec3 gradient(const Place& place) const {
+    HWY_INLINE Vec3 centralGradient(const Place& place) const {
         const Ints weight = pairWeights(place.fx);
         constexpr int sy = kRowBytes;
         constexpr int sz = kSliceBytes;
@@ -163,6 +236,67 @@ struct Field {
         g.y = along(sy, inY, sz, place.fy, place.fz);
         g.z = along(sz, inZ, sy, place.fz, place.fy);
         return g;
+    }
+
+  private:
+    template <typename Store>
+    HWY_INLINE Vec3 tapsGradientOf(const Place& place, const AxisTaps& x, const AxisTaps& y, const AxisTaps& z) const {
+        const Rows<Store, Offset> rows = rowsOf<Store>(place);
+        Vec3 g = {splat(0), splat(0), splat(0)};
+        for (int k = 0; k < 4; ++k) {
+            Vec3 slice = {splat(0), splat(0), splat(0)}; // slope along x, along y, value
+            for (int j = 0; j < 4; ++j) {
+                const RowVoxels row = rows.row(j, k);
+                const Floats value = weighted(row, x.value);
+                slice.x = hn::MulAdd(y.value.at[j], weighted(row, x.slope), slice.x);
+                slice.y = hn::MulAdd(y.slope.at[j], value, slice.y);
+                slice.z = hn::MulAdd(y.value.at[j], value, slice.z);
+            }
+            g.x = hn::MulAdd(z.value.at[k], slice.x, g.x);
+            g.y = hn::MulAdd(z.value.at[k], slice.y, g.y);
+            g.z = hn::MulAdd(z.slope.at[k], slice.z, g.z);
+        }
+        return g;
+    }
+
+    template <typename Store>
+    HWY_INLINE BendSums bendsOf(const Place& place) const {
+        const AxisTaps x = gradientTaps(KernelTaps::spline, place.fx);
+        const AxisTaps y = gradientTaps(KernelTaps::spline, place.fy);
+        const AxisTaps z = gradientTaps(KernelTaps::spline, place.fz);
+        const Taps xx = splineBendTaps(place.fx);
+        const Taps yy = splineBendTaps(place.fy);
+        const Taps zz = splineBendTaps(place.fz);
+        const Rows<Store, Offset> rows = rowsOf<Store>(place);
+        const Floats zero = splat(0);
+        BendSums sum = {zero, zero, zero, zero, zero, zero};
+        for (int k = 0; k < 4; ++k) {
+            Floats value = zero, alongX = zero, alongY = zero, xxSlice = zero, yySlice = zero, xySlice = zero;
+            for (int j = 0; j < 4; ++j) {
+                const RowVoxels row = rows.row(j, k);
+                const Floats rowValue = weighted(row, x.value);
+                const Floats rowSlope = weighted(row, x.slope);
+                value = hn::MulAdd(y.value.at[j], rowValue, value);
+                alongX = hn::MulAdd(y.value.at[j], rowSlope, alongX);
+                alongY = hn::MulAdd(y.slope.at[j], rowValue, alongY);
+                xxSlice = hn::MulAdd(y.value.at[j], weighted(row, xx), xxSlice);
+                yySlice = hn::MulAdd(yy.at[j], rowValue, yySlice);
+                xySlice = hn::MulAdd(y.slope.at[j], rowSlope, xySlice);
+            }
+            sum.xx = hn::MulAdd(z.value.at[k], xxSlice, sum.xx);
+            sum.yy = hn::MulAdd(z.value.at[k], yySlice, sum.yy);
+            sum.zz = hn::MulAdd(zz.at[k], value, sum.zz);
+            sum.xy = hn::MulAdd(z.value.at[k], xySlice, sum.xy);
+            sum.xz = hn::MulAdd(z.slope.at[k], alongX, sum.xz);
+            sum.yz = hn::MulAdd(z.slope.at[k], alongY, sum.yz);
+        }
+        return sum;
+    }
+
+    /// Of the store that gradients are measured on.
+    template <typename Store>
+    HWY_INLINE Rows<Store, Offset> rowsOf(const Place& place) const {
+        return Rows<Store, Offset>(scene.gradientBricks, place.template offsetsIn<sizeof(Store), kBytes>());
     }
 };
 

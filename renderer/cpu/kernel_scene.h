@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/figure/figure.h"
+#include "core/style/transfer_function.h"
 #include "core/volume/volume.h"
 
 #include <cstdint>
@@ -12,17 +13,51 @@ namespace limner {
 /// What the ray-casting kernel reads: plain pointers and floats, made once per `render` call from a plan.
 /// Positions are in *cell* coordinates q = voxel + 1 (see BrickLayout: cell c spans the voxels c-1 and c).
 
+/// How a place on an axis of a transfer function is found: raw * scale + bias, in entries of the layer's table.
+struct KernelAxis {
+    TransferAxis axis = TransferAxis::value;
+    float scale = 1;
+    float bias = 0;
+    float last = 0;                       ///< last entry
+    const std::uint8_t* bricks = nullptr; ///< distance from a label, second volume: int16, laid out as the voxels
+    float from[3]{};                      ///< distance from a point: where, in cell coordinates
+    float mmFromCell[3][3]{};             ///< and the grid's matrix, rows
+};
+
+struct KernelContours {
+    bool on = false;
+    bool controlled = true;
+    bool normals = false; ///< curvature by two normals
+    float thicknessMm = 0;
+    float fixedWidth = 0;
+};
+
 struct KernelLayer {
     Shading shading = Shading::flat;
     bool twoSided = true;
+    bool illustrative = false;
     bool directionalOpacity = false;
-    const float* stepOpacity = nullptr;       ///< entries + 1, read by linear interpolation
-    const float* opacity = nullptr;           ///< of the reference length; directional opacity only
-    const float* colours = nullptr;           ///< Phong and flat: RGBA of every entry and one more, 16-byte aligned
-    const float* index = nullptr;             ///< fractional node index; style only
+    bool opacityByValue = true; ///< `stepOpacity` is the whole truth
+    KernelAxis x;
+    KernelAxis y;                             ///< two dimensions only
+    int rows = 0;                             ///< of `opacity2d`; 0: one dimension
+    std::int32_t rowStride = 0;               ///< floats
+    const float* stepOpacity = nullptr;       ///< 1D: of one step; entries + 1, read by linear interpolation
+    const float* opacity = nullptr;           ///< 1D: of the reference length
+    const float* opacity2d = nullptr;         ///< 2D: of the reference length
+    const float* colours = nullptr;           ///< 1D Phong and flat: RGBA of every entry and one more, 16-byte aligned
+    const float* index = nullptr;             ///< fractional node column of every entry
+    const float* rowIndex = nullptr;          ///< fractional node row of every row
     const std::int32_t* slotOfNode = nullptr; ///< node -> atlas slot
-    std::int32_t lastNode = 0;
-    std::int32_t singleSlot = -1; ///< >= 0: all nodes have this style, `index` is not read
+    const float* nodeColours = nullptr;       ///< 2D Phong and flat: RGBA of every node, 16-byte aligned
+    std::int32_t lastColumn = 0;              ///< of the nodes
+    std::int32_t lastRow = 0;
+    std::int32_t columnStride = 1;
+    std::int32_t nodeRowStride = 0;
+    std::int32_t singleSlot = -1;             ///< >= 0: all nodes have this style, `index` is not read
+    const std::int16_t* rowOfSlot = nullptr;  ///< label axis: label slot -> row, -1: none
+    const std::uint8_t* shownSlots = nullptr; ///< label slot -> 1 where it shows
+    KernelContours contours;
     float specularStrength = 0;
     float specularExponent = 1;
 };
@@ -32,6 +67,11 @@ struct KernelAtlas {
     const float* mean = nullptr;          ///< four floats per slot
     std::int32_t size = 0;
 };
+
+/// Weights that a value or gradient gives the four voxels of each axis.
+enum class KernelTaps { spline, sobel, neumann };
+
+enum class KernelGradient { central, taps, fourthOrder };
 
 struct KernelPlane { ///< keeps dot(normal, q) <= offset
     double normal[3];
@@ -53,14 +93,32 @@ struct KernelScene {
 
     float tableScale = 1; ///< from interpolated stored numbers (as the kernel has them) to table entries
     float tableBias = 0;
-    const float* visibility = nullptr; ///< greatest stepOpacity of all layers
+    const float* visibility = nullptr; ///< one opacity: of a step; else > 0 where any layer can show
+    float lastEntry = 0;               ///< a spline may leave the data's range: entries are clamped to the table
     float visibleFrom = 0;             ///< entries up to here and from `visibleTo` on show nothing
     float visibleTo = 0;
+    bool oneOpacity = true; ///< a sample's opacity is known before its colour: one layer, by value alone
     const KernelLayer* layers = nullptr;
     int layerCount = 0;
     KernelAtlas atlas;
+    bool spline = false; ///< values by the cubic B-spline instead of linear interpolation
+    KernelGradient gradient = KernelGradient::central;
+    KernelTaps gradientTaps = KernelTaps::spline;
+    const std::uint8_t* gradientBricks = nullptr; ///< what taps and second derivatives read
+    bool gradientOfOwnType = true;                ///< the voxels' type; else int16 (float32 beside float32 voxels)
     float eyeFromGradient[3][3]{}; ///< rows: right, up, towards the viewer; in the kernel's gradient units
+    float eyeFromBend[3][3]{};     ///< the same for second derivatives, in stored units
+    float bendScale = 1;           ///< of u' H u with u = transpose(eyeFromBend) t
     float gradientFloor = 0;
+    float perGradientMax = 1; ///< 1 / the gradient that counts as 1
+
+    bool readsNormal = false; ///< some layer does
+    bool readsBend = false;
+    bool readsTurn = false;
+    float probeMm = 1;                    ///< between the two normals of a turn
+    float cellFromEye[3][3]{};            ///< 1 mm in eye space, in cells
+    float depthFromCell[4]{0, 0, 0, 1};   ///< depth over the target's, linear in the position
+    const std::uint8_t* labels = nullptr; ///< label slots, uint8, laid out as the voxels
 
     float opaque = 1;      ///< a ray ends at this opacity
     float stepRatio = 0.5; ///< step / reference length

@@ -178,6 +178,12 @@ struct TablePlace {
         const WordPair pair = gatherPairs(table, offsets);
         return lerp(hn::BitCast(kF, pair.low), hn::BitCast(kF, pair.high), fraction);
     }
+    /// The same place in a row of a table of rows, `shift` entries further on.
+    HWY_INLINE Floats readAt(const float* table, Ints shift) const {
+        TablePlace moved = *this;
+        store(hn::Add(hn::BitCast(kI, hn::Load(kU, offsets.at)), hn::ShiftLeft<2>(shift)), moved.offsets);
+        return moved.read(table);
+    }
 };
 
 } // namespace limner::HWY_NAMESPACE

@@ -22,14 +22,12 @@ class March {
     static constexpr int kBurst = 4; ///< steps between two looks at the skip grid: 4 to 8 measured best
 
   public:
-    March(const KernelScene& scene, float* rgba)
-        : scene_(scene), field_{scene}, queue_(scene, rgba),
-          oneOpacity_(scene.layerCount == 1 && !scene.layers[0].directionalOpacity) {}
+    March(const KernelScene& scene, float* rgba) : scene_(scene), field_{scene}, queue_(scene, rgba), rgba_(rgba) {}
 
     HWY_INLINE void run(const RayPacket& ray, Ints pixel) {
         ray_ = &ray;
         pixel_ = pixel;
-        red_ = green_ = blue_ = alpha_ = splat(0);
+        alpha_ = splat(0);
         k_ = hn::Floor(ray.first);
         end_ = hn::Ceil(ray.end);
         alive_ = hn::And(ray.hit, hn::Lt(k_, end_));
@@ -40,14 +38,8 @@ class March {
         }
     }
 
-    /// Colours that were composed one by one; with one opacity the queue has added them to the picture instead.
-    [[nodiscard]] bool hasColours() const { return !oneOpacity_; }
-    HWY_INLINE void result(float* r, float* g, float* b, float* a) const {
-        hn::Store(red_, kF, r);
-        hn::Store(green_, kF, g);
-        hn::Store(blue_, kF, b);
-        hn::Store(alpha_, kF, a);
-    }
+    /// The packet's opacities; known here with one opacity only, else they are the picture's.
+    [[nodiscard]] HWY_INLINE Floats alpha() const { return alpha_; }
     /// Shades what still waits; after the last packet of a block.
     HWY_INLINE void finish() { queue_.finish(); }
     [[nodiscard]] HWY_INLINE KernelCounts counts() const {
@@ -120,13 +112,16 @@ class March {
             const Vec3 q = position(hn::MulAdd(part.length, splat(scene_.phase), part.begin));
             const Place place = field_.locate(q, alive_);
             const Floats found = hn::MulAdd(field_.value(place), splat(scene_.tableScale), splat(scene_.tableBias));
-            const Floats entry = hn::IfThenElseZero(alive_, found); // the others may hold anything
+            Floats entry = hn::IfThenElseZero(alive_, found); // the others may hold anything
+            if (scene_.spline) {
+                entry = hn::Min(hn::Max(entry, splat(0)), splat(scene_.lastEntry));
+            }
             samples_ = hn::Sub(samples_, hn::BitCast(kI, hn::VecFromMask(kF, alive_)));
             k_ = hn::Add(k_, splat(1));
             const Mask inRange =
                 hn::And(hn::Gt(entry, splat(scene_.visibleFrom)), hn::Lt(entry, splat(scene_.visibleTo)));
             if (!hn::AllFalse(kF, hn::And(inRange, alive_))) {
-                look({place, entry, part.length}, edge);
+                look({q, entry, part.length}, edge);
             }
             alive_ = hn::And(alive_, hn::Lt(k_, end_));
             if (hn::AllFalse(kF, alive_)) {
@@ -136,7 +131,7 @@ class March {
     }
 
     struct Sample {
-        const Place& place;
+        const Vec3& q;
         Floats entry; ///< of the transfer tables
         Floats part;  ///< share of a step that the sample stands for
     };
@@ -150,50 +145,36 @@ class March {
             return;
         }
         counts_.shaded += hn::CountTrue(kF, shows);
-        if (oneOpacity_) {
+        if (scene_.oneOpacity) {
             const Floats opacity = edge ? opacityOfPart(visible, sample.part) : visible;
             const Floats weight = hn::NegMulAdd(opacity, alpha_, opacity);
             alpha_ = hn::Add(alpha_, weight);
-            queue_.push({sample.place, sample.entry, weight, pixel_, ray_->view}, shows);
-        } else {
-            for (int i = 0; i < scene_.layerCount; ++i) {
-                composeLayer(scene_.layers[i], sample, at, edge);
-            }
+            queue_.push({sample.q, sample.entry, weight, pixel_, ray_->view}, shows);
+            alive_ = hn::And(alive_, hn::Lt(alpha_, splat(scene_.opaque)));
+        } else if (queue_.push({sample.q, sample.entry, sample.part, pixel_, ray_->view}, shows)) {
+            endOpaque();
         }
-        alive_ = hn::And(alive_, hn::Lt(alpha_, splat(scene_.opaque)));
     }
 
-    HWY_NOINLINE void composeLayer(const KernelLayer& layer, const Sample& sample, const TablePlace& at, bool edge) {
-        Floats opacity = hn::IfThenElseZero(alive_, at.read(layer.stepOpacity));
-        if (hn::AllFalse(kF, hn::Gt(opacity, splat(0)))) {
-            return;
+    /// Ends the rays whose pixels are opaque by now. Samples that went ahead of that are not composed.
+    HWY_NOINLINE void endOpaque() {
+        const LaneInts pixel(pixel_);
+        LaneFloats alpha;
+        for (std::size_t lane = 0; lane < hn::Lanes(kF); ++lane) {
+            alpha.at[lane] = rgba_[4 * pixel.at[lane] + 3];
         }
-        LaneColours colours;
-        sampleColours(field_, layer, sample.place, sample.entry, ray_->view, colours);
-        Floats r, g, b, directional;
-        hn::LoadInterleaved4(kF, colours.rgba, r, g, b, directional);
-        if (layer.directionalOpacity) {
-            const Floats whole = hn::Mul(at.read(layer.opacity), directional);
-            opacity = hn::IfThenElseZero(alive_, opacityOfStep(scene_, whole, sample.part));
-        } else if (edge) {
-            opacity = opacityOfPart(opacity, sample.part);
-        }
-        const Floats weight = hn::NegMulAdd(opacity, alpha_, opacity);
-        red_ = hn::MulAdd(weight, r, red_);
-        green_ = hn::MulAdd(weight, g, green_);
-        blue_ = hn::MulAdd(weight, b, blue_);
-        alpha_ = hn::Add(alpha_, weight);
+        alive_ = hn::And(alive_, hn::Lt(hn::Load(kF, alpha.at), splat(scene_.opaque)));
     }
 
     const KernelScene& scene_;
     VoxelField field_;
-    ShadeQueue<VoxelField, Offset> queue_;
+    ShadeQueue<VoxelField> queue_;
+    float* rgba_;
     KernelCounts counts_;
-    bool oneOpacity_; ///< a sample's opacity is known before its colour: no directional opacity, one layer
     const RayPacket* ray_ = nullptr;
     Ints pixel_{};
     Ints samples_ = hn::Zero(kI);
-    Floats k_{}, end_{}, red_{}, green_{}, blue_{}, alpha_{};
+    Floats k_{}, end_{}, alpha_{};
     Mask alive_{};
 };
 
@@ -215,8 +196,8 @@ void castRays(const KernelScene& scene, const KernelBlock& block, float* rgba, K
     alignas(64) float dx[kMaxLanes];
     alignas(64) float dy[kMaxLanes];
     alignas(64) std::int32_t pixel[kMaxLanes];
-    alignas(64) float channel[4][kMaxLanes];
-    // The queue adds colours late; opacities wait beside them.
+    alignas(64) float packetAlpha[kMaxLanes];
+    // The queue adds colours late; opacities that are known early wait beside them.
     alignas(64) float alpha[KernelBlock::kSize * KernelBlock::kSize] = {};
     const int lanes = shape.width * shape.height;
     for (int y = 0; y < block.height; y += shape.height) {
@@ -233,17 +214,14 @@ void castRays(const KernelScene& scene, const KernelBlock& block, float* rgba, K
                 continue; // the picture starts out clear
             }
             march.run(packet, hn::Load(kI, pixel));
-            march.result(channel[0], channel[1], channel[2], channel[3]);
+            hn::Store(march.alpha(), kF, packetAlpha);
             for (int lane = 0; lane < lanes; ++lane) {
-                alpha[pixel[lane]] = channel[3][lane];
-                for (int c = 0; c < 3 && march.hasColours(); ++c) {
-                    rgba[4 * pixel[lane] + c] = channel[c][lane];
-                }
+                alpha[pixel[lane]] = packetAlpha[lane];
             }
         }
     }
     march.finish();
-    for (int i = 0; i < KernelBlock::kSize * KernelBlock::kSize; ++i) {
+    for (int i = 0; scene.oneOpacity && i < KernelBlock::kSize * KernelBlock::kSize; ++i) {
         rgba[4 * i + 3] = alpha[i];
     }
     counts = march.counts();

@@ -6,9 +6,9 @@
 #define LIMNER_QUEUE_INL_H
 #endif
 
-#include "renderer/cpu/shade-inl.h"
+#include "renderer/cpu/layer-inl.h"
 
-#include <array>
+#include <vector>
 
 HWY_BEFORE_NAMESPACE();
 namespace limner::HWY_NAMESPACE {
@@ -60,31 +60,40 @@ class Packer {
     int count_;
 };
 
-/// Samples of one layer whose weight in their pixel is known and whose colour is not. They are shaded a full vector at
-/// a time, whichever rays they came from: about half of the lanes of a packet contribute at a given step, so shading on
-/// the spot would throw half of the work away. Each pixel's samples stay in order and each is added by itself, so the
-/// sums do not depend on who else was in the vector.
-template <typename VoxelField, typename Offset>
+/// Samples that wait for their colour. They are shaded a full vector at a time, whichever rays they came from: about
+/// half of the lanes of a packet contribute at a given step, so shading on the spot would throw half of the work away.
+/// Each pixel's samples stay in order and each is composed by itself, so the sums do not depend on who else was in the
+/// vector.
+///
+/// With one opacity (KernelScene::oneOpacity) a sample comes with its weight in the pixel; else with its part of a
+/// step, and the pixel's alpha is known only when its samples have been composed.
+template <typename VoxelField>
 class ShadeQueue {
     using Place = typename VoxelField::Place;
 
   public:
-    ShadeQueue(const KernelScene& scene, float* rgba) : scene_(scene), field_{scene}, rgba_(rgba) {}
+    /// `rgba`: the block's pixels.
+    ShadeQueue(const KernelScene& scene, float* rgba) : scene_(scene), field_{scene}, rgba_(rgba) {
+        if (!scene.oneOpacity) {
+            layers_.resize(static_cast<std::size_t>(scene.layerCount));
+        }
+    }
 
     struct Entry {
-        const Place& place;
+        const Vec3& q;
         Floats tableEntry;
-        Floats weight;
+        Floats weight; ///< or part of a step
         Ints pixel;
         const Vec3& view;
     };
 
-    HWY_INLINE void push(const Entry& sample, Mask mask) {
+    /// Whether samples were composed on the way.
+    HWY_INLINE bool push(const Entry& sample, Mask mask) {
         const Packer packer(mask);
         const auto keep = [&](Floats v, float* row) HWY_ATTR { hn::StoreU(packer.pack(v), kF, row + count_); };
-        keep(sample.place.fx, fx_);
-        keep(sample.place.fy, fy_);
-        keep(sample.place.fz, fz_);
+        keep(sample.q.x, x_);
+        keep(sample.q.y, y_);
+        keep(sample.q.z, z_);
         keep(sample.tableEntry, tableEntry_);
         keep(sample.weight, weight_);
         hn::StoreU(packer.pack(sample.pixel), kI, pixel_ + count_);
@@ -93,26 +102,15 @@ class ShadeQueue {
             keep(sample.view.y, viewY_);
             keep(sample.view.z, viewZ_);
         }
-        if constexpr (sizeof(Offset) == 4) {
-            const Ints offsets = hn::BitCast(kI, hn::Load(kU, sample.place.offsets.at));
-            hn::StoreU(hn::BitCast(kU, packer.pack(offsets)), kU, offset_ + count_);
-        } else {
-            alignas(64) std::uint8_t bits[8] = {};
-            hn::StoreMaskBits(kF, mask, bits);
-            int at = count_;
-            for (std::size_t lane = 0; lane < hn::Lanes(kF); ++lane) {
-                if ((bits[lane / 8] >> (lane % 8) & 1) != 0) {
-                    offset_[at++] = sample.place.offsets.at[lane];
-                }
-            }
-        }
         count_ += packer.count();
         const int lanes = static_cast<int>(hn::Lanes(kF));
-        if (count_ >= lanes) {
-            shade(lanes);
-            moveUp(lanes);
-            count_ -= lanes;
+        if (count_ < lanes) {
+            return false;
         }
+        shade(lanes);
+        moveUp(lanes);
+        count_ -= lanes;
+        return true;
     }
 
     /// Shades what is left.
@@ -125,19 +123,24 @@ class ShadeQueue {
 
   private:
     HWY_NOINLINE void shade(int count) {
-        Place place;
-        place.fx = hn::Load(kF, fx_);
-        place.fy = hn::Load(kF, fy_);
-        place.fz = hn::Load(kF, fz_);
-        for (std::size_t lane = 0; lane < hn::Lanes(kF); ++lane) {
-            place.offsets.at[lane] = offset_[lane];
-        }
+        const Vec3 q = {hn::Load(kF, x_), hn::Load(kF, y_), hn::Load(kF, z_)};
+        const Place place = field_.locate(q, hn::FirstN(kF, hn::Lanes(kF)));
         Vec3 view = {splat(0), splat(0), splat(1)};
         if (scene_.perspective) {
             view = {hn::Load(kF, viewX_), hn::Load(kF, viewY_), hn::Load(kF, viewZ_)};
         }
+        Facts<VoxelField> facts{field_, place, q, view, hn::Load(kF, tableEntry_), hn::Load(kF, weight_)};
+        facts.measure();
+        if (scene_.oneOpacity) {
+            addWeighted(facts, count);
+        } else {
+            compose(facts, count);
+        }
+    }
+
+    HWY_INLINE void addWeighted(const Facts<VoxelField>& facts, int count) {
         LaneColours colours;
-        sampleColours(field_, scene_.layers[0], place, hn::Load(kF, tableEntry_), view, colours);
+        LayerEvaluation<VoxelField>(scene_, scene_.layers[0]).colourByValue(facts, colours);
         for (int lane = 0; lane < count; ++lane) {
             float* pixel = rgba_ + 4 * pixel_[lane];
             const Quad weight = hn::Set(kQuad, weight_[lane]);
@@ -146,8 +149,43 @@ class ShadeQueue {
         }
     }
 
+    /// What one layer makes of the samples.
+    struct Evaluated {
+        LaneColours colours;
+        LaneFloats opacity;
+    };
+
+    /// All layers of each sample, one composited after the other; a pixel that is opaque takes no more samples.
+    HWY_NOINLINE void compose(const Facts<VoxelField>& facts, int count) {
+        for (std::size_t i = 0; i < layers_.size(); ++i) {
+            const LayerEvaluation<VoxelField> layer(scene_, scene_.layers[i]);
+            layers_[i].opacity = LaneFloats(layer.evaluate(facts, layers_[i].colours));
+        }
+        alignas(16) static constexpr std::uint32_t kAlphaBits[4] = {0, 0, 0, 0xFFFFFFFFU};
+        const auto alphaLane = hn::MaskFromVec(hn::Load(kQuad, reinterpret_cast<const float*>(kAlphaBits)));
+        for (int lane = 0; lane < count; ++lane) {
+            float* pixel = rgba_ + 4 * pixel_[lane];
+            if (pixel[3] >= scene_.opaque) {
+                continue;
+            }
+            Quad sum = hn::Load(kQuad, pixel);
+            float alpha = pixel[3];
+            for (const Evaluated& layer : layers_) {
+                const float opacity = layer.opacity.at[lane];
+                if (opacity > 0) {
+                    const float weight = (1 - alpha) * opacity;
+                    const Quad c =
+                        hn::IfThenElse(alphaLane, hn::Set(kQuad, 1.0F), hn::Load(kQuad, layer.colours.rgba + 4 * lane));
+                    sum = hn::MulAdd(hn::Set(kQuad, weight), c, sum);
+                    alpha += weight;
+                }
+            }
+            hn::Store(sum, kQuad, pixel);
+        }
+    }
+
     HWY_INLINE void moveUp(int lanes) {
-        for (float* row : {fx_, fy_, fz_, tableEntry_, weight_}) {
+        for (float* row : {x_, y_, z_, tableEntry_, weight_}) {
             hn::Store(hn::LoadU(kF, row + lanes), kF, row);
         }
         if (scene_.perspective) {
@@ -156,26 +194,23 @@ class ShadeQueue {
             }
         }
         hn::Store(hn::LoadU(kI, pixel_ + lanes), kI, pixel_);
-        for (int lane = 0; lane < lanes; ++lane) {
-            offset_[lane] = offset_[lane + lanes];
-        }
     }
 
     const KernelScene& scene_;
     VoxelField field_;
     float* rgba_;
+    std::vector<Evaluated> layers_;
     int count_ = 0;
     static constexpr int kRoom = 3 * kMaxLanes; ///< a vector waiting, one pushed, and the over-write of its last store
-    alignas(64) float fx_[kRoom] = {};
-    alignas(64) float fy_[kRoom] = {};
-    alignas(64) float fz_[kRoom] = {};
+    alignas(64) float x_[kRoom] = {};
+    alignas(64) float y_[kRoom] = {};
+    alignas(64) float z_[kRoom] = {};
     alignas(64) float tableEntry_[kRoom] = {};
     alignas(64) float weight_[kRoom] = {};
     alignas(64) float viewX_[kRoom] = {};
     alignas(64) float viewY_[kRoom] = {};
     alignas(64) float viewZ_[kRoom] = {};
     alignas(64) std::int32_t pixel_[kRoom] = {};
-    alignas(64) Offset offset_[kRoom] = {};
 };
 
 } // namespace limner::HWY_NAMESPACE

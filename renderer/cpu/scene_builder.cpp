@@ -1,6 +1,7 @@
 #include "renderer/cpu/scene_builder.h"
 
 #include "core/base/error.h"
+#include "renderer/plan/plan_layer.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -30,6 +31,7 @@ void copy(const glm::dvec3& from, double (&to)[3]) {
 
 BuiltScene::BuiltScene(const RenderPlan& plan) {
     setVolume(plan);
+    setGradients(plan);
     setRays(plan);
     setClip(plan);
     setTables(plan);
@@ -43,30 +45,69 @@ const float* BuiltScene::keep(std::vector<float> table) {
 }
 
 void BuiltScene::setVolume(const RenderPlan& plan) {
-    const Volume& volume = *plan.volume;
-    scene_.bricks = reinterpret_cast<const std::uint8_t*>(volume.bricks());
-    scene_.type = volume.type();
-    scene_.wide = volume.bytes() > static_cast<std::size_t>(std::numeric_limits<std::uint32_t>::max());
+    const Volume& field = *plan.field;
+    scene_.bricks = reinterpret_cast<const std::uint8_t*>(field.bricks());
+    scene_.type = field.type();
+    scene_.spline = plan.interpolation != Interpolation::linear;
+    // A store beside the voxels may take more room than they do.
+    const std::size_t largest = std::max(field.bytes(), plan.gradientField->bytes());
+    scene_.wide = largest > static_cast<std::size_t>(std::numeric_limits<std::uint32_t>::max());
     scene_.brickStep[0] = 1;
-    scene_.brickStep[1] = volume.layout().bricks.x;
-    scene_.brickStep[2] = volume.layout().bricks.x * volume.layout().bricks.y;
+    scene_.brickStep[1] = field.layout().bricks.x;
+    scene_.brickStep[2] = field.layout().bricks.x * field.layout().bricks.y;
     for (int i = 0; i < 3; ++i) {
-        const int dim = volume.grid().dims[i];
+        const int dim = field.grid().dims[i];
         scene_.lastCell[i] = std::nextafter(static_cast<float>(dim), 0.0F);
         scene_.boxLow[i] = kCellFromVoxel[i] - 0.5 + plan.lattice.boxInset;
         scene_.boxHigh[i] = kCellFromVoxel[i] + dim - 0.5 - plan.lattice.boxInset;
         scene_.blocks[i] = plan.skip->blocks[i];
     }
     scene_.distance = plan.skip->distance.data();
-    // Central differences span two voxels.
-    const double perDifference = 0.5 / kernelScale(volume.type());
+    if (plan.labels) {
+        scene_.labels = reinterpret_cast<const std::uint8_t*>(plan.labels->bricks());
+    }
+}
+
+void BuiltScene::setGradients(const RenderPlan& plan) {
+    const double unit = plan.gradientField->contents().slope / plan.volume->contents().slope;
+    double scale = unit;
+    switch (plan.gradient) {
+    case GradientEstimator::sobel: scene_.gradientTaps = KernelTaps::sobel; break;
+    case GradientEstimator::neumann: scene_.gradientTaps = KernelTaps::neumann; break;
+    case GradientEstimator::bspline: scene_.gradientTaps = KernelTaps::spline; break;
+    case GradientEstimator::fourthOrder:
+    case GradientEstimator::automatic:
+    case GradientEstimator::central:
+        scale = unit * 0.5 / kernelScale(plan.field->type()); // central differences span two voxels
+        break;
+    }
+    const bool central = plan.gradient == GradientEstimator::central;
+    scene_.gradient = central                                           ? KernelGradient::central
+                      : plan.gradient == GradientEstimator::fourthOrder ? KernelGradient::fourthOrder
+                                                                        : KernelGradient::taps;
+    scene_.gradientBricks = reinterpret_cast<const std::uint8_t*>(plan.gradientField->bricks());
+    scene_.gradientOfOwnType = plan.gradientField->type() == plan.field->type();
+    const glm::dmat3 cellFromEye = glm::inverse(plan.rays.eyeFromMm * plan.rays.mmFromVoxel);
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column) {
-            scene_.eyeFromGradient[row][column] =
-                static_cast<float>(plan.rays.eyeFromGradient[column][row] * perDifference);
+            scene_.eyeFromGradient[row][column] = static_cast<float>(plan.rays.eyeFromGradient[column][row] * scale);
+            scene_.eyeFromBend[row][column] = static_cast<float>(plan.rays.eyeFromGradient[column][row]);
+            scene_.cellFromEye[row][column] = static_cast<float>(cellFromEye[column][row]);
         }
     }
+    scene_.bendScale = static_cast<float>(unit / plan.volume->contents().slope);
     scene_.gradientFloor = static_cast<float>(plan.gradientFloor);
+    scene_.perGradientMax = static_cast<float>(1 / plan.gradientMax);
+    for (const PlanLayer& layer : plan.layers) {
+        scene_.readsNormal = scene_.readsNormal || readsNormal(layer);
+        const bool turn = layer.contours && layer.contours->curvatureControlled &&
+                          layer.contours->curvature == CurvatureEstimator::normals;
+        scene_.readsTurn = scene_.readsTurn || turn;
+        scene_.readsBend = scene_.readsBend || (readsCurvature(layer) && !turn);
+        if (turn) {
+            scene_.probeMm = static_cast<float>(layer.contours->probeMm);
+        }
+    }
 }
 
 void BuiltScene::setRays(const RenderPlan& plan) {
@@ -84,6 +125,14 @@ void BuiltScene::setRays(const RenderPlan& plan) {
     scene_.stepMm = plan.lattice.stepMm;
     scene_.phase = static_cast<float>(plan.lattice.phase);
     scene_.stepRatio = static_cast<float>(plan.lattice.stepMm / plan.referenceLengthMm);
+    if (rays.perspective) {
+        const double toPlane = (eyeFromVoxel * rays.forwardVoxel).z;
+        const glm::dvec3 perCell(eyeFromVoxel[0].z / toPlane, eyeFromVoxel[1].z / toPlane, eyeFromVoxel[2].z / toPlane);
+        for (int i = 0; i < 3; ++i) {
+            scene_.depthFromCell[i] = static_cast<float>(perCell[i]);
+        }
+        scene_.depthFromCell[3] = static_cast<float>(-glm::dot(perCell, rays.originVoxel + kCellFromVoxel));
+    }
 }
 
 void BuiltScene::addPlane(const RenderPlan& plan, const ClipPlane& plane) {
@@ -112,59 +161,122 @@ void BuiltScene::setClip(const RenderPlan& plan) {
     }
 }
 
-glm::dvec3 BuiltScene::nodeColour(const PlanLayer& layer, double index) {
-    if (layer.styles.nodeToStyle.empty()) {
-        return glm::dvec3(0.5); // no nodes at all: mid grey
-    }
-    const auto node = static_cast<std::size_t>(std::max(index, 0.0));
-    const std::size_t next = std::min(node + 1, layer.styles.nodeToStyle.size() - 1);
-    const auto colour = [&](std::size_t n) {
-        return layer.styles.styles[static_cast<std::size_t>(layer.styles.nodeToStyle[n])].rgb;
-    };
-    return glm::mix(colour(node), colour(next), index - static_cast<double>(node));
-}
-
 void BuiltScene::addColours(const PlanLayer& layer, KernelLayer& out) {
-    const std::vector<float>& index = layer.table.index;
-    std::vector<Colour> colours;
-    colours.reserve(index.size() + 1);
-    for (std::size_t entry = 0; entry <= index.size(); ++entry) { // one more: interpolation at the last entry reads it
-        const glm::vec3 rgb(nodeColour(layer, index[std::min(entry, index.size() - 1)]));
-        colours.push_back({{rgb.r, rgb.g, rgb.b, 1}});
+    std::vector<Colour> nodes;
+    for (const int style : layer.styles.nodeToStyle) {
+        const glm::vec3 rgb(layer.styles.styles[static_cast<std::size_t>(style)].rgb);
+        nodes.push_back({{rgb.r, rgb.g, rgb.b, 1}});
     }
-    colours_.push_back(std::move(colours));
-    out.colours = colours_.back().front().rgba;
+    if (layer.table.rows == 0) {
+        const std::vector<float>& index = layer.table.index;
+        std::vector<Colour> entries;
+        for (std::size_t i = 0; i <= index.size(); ++i) { // one more: interpolation at the last entry reads it
+            const float at = std::max(index[std::min(i, index.size() - 1)], 0.0F);
+            const auto node = static_cast<std::size_t>(at);
+            const Colour& low = nodes[node];
+            const Colour& high = nodes[std::min(node + 1, nodes.size() - 1)];
+            Colour mixed{};
+            for (int c = 0; c < 4; ++c) {
+                mixed.rgba[c] = glm::mix(low.rgba[c], high.rgba[c], at - static_cast<float>(node));
+            }
+            entries.push_back(mixed);
+        }
+        colours_.push_back(std::move(entries));
+        out.colours = colours_.back().front().rgba;
+    }
+    colours_.push_back(std::move(nodes));
+    out.nodeColours = colours_.back().front().rgba;
 }
 
-void BuiltScene::addLayer(const RenderPlan& plan, const PlanLayer& layer) {
-    KernelLayer out;
+KernelAxis BuiltScene::axis(const RenderPlan& plan, const PlanLayer& layer, TransferAxis which,
+                            const AxisEntries& entries) const {
+    KernelAxis axis;
+    axis.axis = which;
+    axis.last = static_cast<float>(entries.count - 1);
+    if (which == TransferAxis::value) {
+        axis.scale =
+            static_cast<float>(static_cast<double>(entries.count - 1) / static_cast<double>(valueEntries_ - 1));
+        return axis;
+    }
+    const double perUnit = entries.high > entries.low ? (entries.count - 1) / (entries.high - entries.low) : 0;
+    const auto* stored = which == TransferAxis::second ? plan.secondVolume.get() : layer.distance.get();
+    double slope = 1;
+    double intercept = 0;
+    if ((which == TransferAxis::second || which == TransferAxis::distance) && stored != nullptr) {
+        assert(stored->type() == VoxelType::int16);
+        axis.bricks = reinterpret_cast<const std::uint8_t*>(stored->bricks());
+        slope = stored->contents().slope;
+        intercept = stored->contents().intercept;
+    } else if (which == TransferAxis::distance) {
+        const Grid& grid = plan.volume->grid();
+        const glm::dvec3 from = grid.voxelFromMm(layer.distanceFromMm.value_or(glm::dvec3(0))) + kCellFromVoxel;
+        const glm::dmat3 matrix = grid.voxelToMmMatrix();
+        for (int row = 0; row < 3; ++row) {
+            axis.from[row] = static_cast<float>(from[row]);
+            for (int column = 0; column < 3; ++column) {
+                axis.mmFromCell[row][column] = static_cast<float>(matrix[column][row]);
+            }
+        }
+    }
+    axis.scale = static_cast<float>(slope * perUnit);
+    axis.bias = static_cast<float>((intercept - entries.low) * perUnit);
+    return axis;
+}
+
+void BuiltScene::addTransfer(const RenderPlan& plan, const PlanLayer& layer, KernelLayer& out) {
+    const TransferTable& table = layer.table;
+    const auto entries = static_cast<std::int64_t>(table.opacity.size());
+    out.opacityByValue = opacityByValue(layer);
+    out.x = axis(plan, layer, table.axisX, {table.low, table.high, entries});
+    out.index = keep(table.index);
+    if (table.rows == 0) {
+        out.stepOpacity = keep(layer.stepOpacity);
+        out.opacity = out.opacityByValue ? nullptr : keep(table.opacity);
+    } else {
+        out.y = axis(plan, layer, table.axisY, {table.lowY, table.highY, table.rows});
+        out.rows = table.rows;
+        out.rowStride = static_cast<std::int32_t>(entries);
+        out.opacity2d = keep(table.opacity2d);
+        out.rowIndex = keep(table.rowIndex);
+    }
+    out.lastColumn = table.nodesX - 1;
+    out.lastRow = table.nodesY - 1;
+    out.columnStride = table.nodeStrideX;
+    out.nodeRowStride = table.nodeStrideY;
+    if (!layer.rowOfSlot.empty()) {
+        out.rowOfSlot = layer.rowOfSlot.data();
+    }
+    if (!layer.shownSlots.empty()) {
+        out.shownSlots = layer.shownSlots.data();
+    }
+}
+
+void BuiltScene::addLook(const RenderPlan& plan, const PlanLayer& layer, KernelLayer& out) {
     out.shading = layer.shading;
     out.twoSided = layer.twoSided;
-    out.stepOpacity = keep(layer.stepOpacity);
-    if (layer.shading == Shading::style) {
-        std::vector<std::int32_t> slots;
-        for (const int style : layer.styles.nodeToStyle) {
-            slots.push_back(layer.atlasSlots[static_cast<std::size_t>(style)]);
-        }
-        const bool single = std::all_of(slots.begin(), slots.end(), [&](std::int32_t s) { return s == slots.front(); });
-        out.singleSlot = single ? slots.front() : -1;
-        out.lastNode = static_cast<std::int32_t>(slots.size()) - 1;
-        out.index = keep(layer.table.index);
-        out.directionalOpacity = plan.atlas->directionalOpacity &&
-                                 std::any_of(layer.styles.styles.begin(), layer.styles.styles.end(), [](const auto& s) {
-                                     return s.sphere && s.sphere->hasDirectionalOpacity();
-                                 });
-        if (out.directionalOpacity) {
-            out.opacity = keep(layer.table.opacity);
-        }
-        slots_.push_back(std::move(slots));
-        out.slotOfNode = slots_.back().data();
-    } else {
+    out.illustrative = layer.illustrative;
+    if (layer.contours) {
+        out.contours = {
+            true, layer.contours->curvatureControlled, layer.contours->curvature == CurvatureEstimator::normals,
+            static_cast<float>(layer.contours->thicknessMm), static_cast<float>(layer.contours->fixedWidth)};
+    }
+    if (layer.shading != Shading::style) {
         out.specularStrength = static_cast<float>(layer.specular.strength);
         out.specularExponent = static_cast<float>(layer.specular.exponent);
         addColours(layer, out);
+        return;
     }
-    layers_.push_back(out);
+    std::vector<std::int32_t> slots;
+    for (const int style : layer.styles.nodeToStyle) {
+        slots.push_back(layer.atlasSlots[static_cast<std::size_t>(style)]);
+    }
+    const bool single = std::all_of(slots.begin(), slots.end(), [&](std::int32_t s) { return s == slots.front(); });
+    out.singleSlot = single ? slots.front() : -1;
+    out.directionalOpacity = plan.atlas->directionalOpacity &&
+                             std::any_of(layer.styles.styles.begin(), layer.styles.styles.end(),
+                                         [](const auto& s) { return s.sphere && s.sphere->hasDirectionalOpacity(); });
+    slots_.push_back(std::move(slots));
+    out.slotOfNode = slots_.back().data();
 }
 
 void BuiltScene::setTables(const RenderPlan& plan) {
@@ -174,26 +286,42 @@ void BuiltScene::setTables(const RenderPlan& plan) {
         }
         scene_.atlas = {plan.atlas->texels.data(), means_.data(), plan.atlas->size};
     }
-    std::vector<float> visibility(2, 0.0F);
-    double low = 0;
-    double high = 1;
-    if (!plan.layers.empty()) {
-        const TransferTable& first = plan.layers.front().table;
-        visibility.assign(first.opacity.size(), 0.0F);
-        low = first.low;
-        high = first.high;
+    scene_.oneOpacity = plan.layers.size() == 1 && opacityByValue(plan.layers.front());
+    const VisibleRange range = visibleRange(plan.layers, *plan.volume);
+    std::vector<float> visibility(range.visible.begin(), range.visible.end());
+    if (plan.volume->contents().slope < 0) {
+        std::reverse(visibility.begin(), visibility.end());
     }
+    valueEntries_ = static_cast<std::int64_t>(visibility.size());
     for (const PlanLayer& layer : plan.layers) {
-        assert(layer.table.opacity.size() == visibility.size() && layer.table.low == low && layer.table.high == high);
-        std::transform(visibility.begin(), visibility.end(), layer.stepOpacity.begin(), visibility.begin(),
-                       [](float a, float b) { return std::max(a, b); });
-        addLayer(plan, layer);
+        KernelLayer out;
+        addTransfer(plan, layer, out);
+        addLook(plan, layer, out);
+        layers_.push_back(out);
     }
-    const Volume::Contents& contents = plan.volume->contents();
+    if (scene_.oneOpacity) {
+        visibility = plan.layers.front().stepOpacity;
+    }
+    setValueTable(plan, std::move(visibility));
+    scene_.layers = layers_.data();
+    scene_.layerCount = static_cast<int>(layers_.size());
+}
+
+void BuiltScene::setValueTable(const RenderPlan& plan, std::vector<float> visibility) {
+    double low = plan.volume->range().low;
+    double high = plan.volume->range().high;
+    for (const PlanLayer& layer : plan.layers) {
+        if (layer.table.axisX == TransferAxis::value) {
+            low = layer.table.low; // a constant volume's table is as wide as it needs
+            high = layer.table.high;
+        }
+    }
+    const Volume::Contents& contents = plan.field->contents();
     const double entries = static_cast<double>(visibility.size() - 1);
     const double perValue = high > low ? entries / (high - low) : 0;
     scene_.tableScale = static_cast<float>(contents.slope * perValue / kernelScale(contents.type));
     scene_.tableBias = static_cast<float>((contents.intercept - low) * perValue);
+    scene_.lastEntry = static_cast<float>(entries);
     const auto shows = [](float opacity) { return opacity > 0; };
     const auto firstVisible = std::find_if(visibility.begin(), visibility.end(), shows);
     const auto lastVisible = std::find_if(visibility.rbegin(), visibility.rend(), shows);
@@ -201,8 +329,6 @@ void BuiltScene::setTables(const RenderPlan& plan) {
     scene_.visibleFrom = static_cast<float>(firstVisible - visibility.begin() - 1);
     scene_.visibleTo = static_cast<float>(visibility.rend() - lastVisible);
     scene_.visibility = keep(std::move(visibility));
-    scene_.layers = layers_.data();
-    scene_.layerCount = static_cast<int>(layers_.size());
 }
 
 } // namespace limner

@@ -23,12 +23,23 @@ class BuiltScene {
     void addPlane(const RenderPlan& plan, const ClipPlane& plane);
     void setClip(const RenderPlan& plan);
     void setTables(const RenderPlan& plan);
-    void addLayer(const RenderPlan& plan, const PlanLayer& layer);
-    static glm::dvec3 nodeColour(const PlanLayer& layer, double index);
+    void setGradients(const RenderPlan& plan);
+    void setValueTable(const RenderPlan& plan, std::vector<float> visibility);
+    /// Range and number of a table's entries along an axis.
+    struct AxisEntries {
+        double low;
+        double high;
+        std::int64_t count;
+    };
+    [[nodiscard]] KernelAxis axis(const RenderPlan& plan, const PlanLayer& layer, TransferAxis which,
+                                  const AxisEntries& entries) const;
+    void addTransfer(const RenderPlan& plan, const PlanLayer& layer, KernelLayer& out);
+    void addLook(const RenderPlan& plan, const PlanLayer& layer, KernelLayer& out);
     void addColours(const PlanLayer& layer, KernelLayer& out);
     const float* keep(std::vector<float> table);
 
     KernelScene scene_;
+    std::int64_t valueEntries_ = 2; ///< of the table that `KernelScene::visibility` is
     std::vector<KernelLayer> layers_;
     std::deque<std::vector<float>> tables_; // a deque: addresses stay
     std::deque<std::vector<std::int32_t>> slots_;

@@ -3,38 +3,80 @@
 #include "core/figure/figure_json.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace limner {
 
 namespace {
 
 std::size_t tableBytes(const PlanLayer& layer) {
-    return (layer.table.opacity.size() + layer.table.index.size() + layer.stepOpacity.size()) * sizeof(float);
+    const TransferTable& table = layer.table;
+    return (table.opacity.size() + table.index.size() + table.rowIndex.size() + table.opacity2d.size() +
+            layer.stepOpacity.size()) *
+           sizeof(float);
 }
 
 std::size_t atlasBytes(const StyleAtlas& atlas) {
     return atlas.texels.size() * sizeof(std::int16_t) + atlas.mean.size() * sizeof(Rgba);
 }
 
-bool anyLayer(const RenderPlan& plan, Shading shading) {
-    return std::any_of(plan.layers.begin(), plan.layers.end(),
-                       [&](const PlanLayer& l) { return l.shading == shading; });
+template <typename Test>
+bool anyLayer(const RenderPlan& plan, const Test& test) {
+    return std::any_of(plan.layers.begin(), plan.layers.end(), test);
+}
+
+const char* gradientName(GradientEstimator estimator) {
+    switch (estimator) {
+    case GradientEstimator::sobel: return "Sobel gradients";
+    case GradientEstimator::neumann: return "Neumann gradients";
+    case GradientEstimator::fourthOrder: return "fourth-order gradients";
+    case GradientEstimator::bspline: return "B-spline gradients";
+    case GradientEstimator::automatic:
+    case GradientEstimator::central: break;
+    }
+    return "central gradients";
+}
+
+using AddFeature = std::function<void(bool used, const char* name, const char* why, const char* whyNot)>;
+
+/// What transfer functions, contours and transparency ask for.
+void describeTransfers(const RenderPlan& plan, const AddFeature& feature) {
+    const auto axis = [&](TransferAxis which) {
+        return anyLayer(plan, [which](const PlanLayer& layer) { return readsAxis(layer, which); });
+    };
+    feature(anyLayer(plan, [](const PlanLayer& l) { return l.table.rows > 0; }), "two-dimensional transfer functions",
+            "a layer has two axes", "every layer has one axis");
+    feature(plan.labels != nullptr, "labels", "a layer tells labels apart", "no layer asks for labels");
+    feature(axis(TransferAxis::distance), "distances", "a layer's axis is a distance", "no layer measures distances");
+    feature(plan.secondVolume != nullptr, "second volume", "a layer's axis reads it", "no layer reads one");
+    feature(anyLayer(plan, [](const PlanLayer& l) { return l.contours.has_value(); }), "contours", "a layer draws them",
+            "no layer draws them");
+    feature(anyLayer(plan, readsCurvature), "curvature", "contours keep their width, or an axis reads it",
+            "no layer reads it");
+    feature(anyLayer(plan, [](const PlanLayer& l) { return l.illustrative; }), "illustrative transparency",
+            "a layer clears flat regions first", "every layer is uniformly transparent");
+    feature(plan.interpolation == Interpolation::tricubic, "tricubic interpolation", "the quality asks for it",
+            "voxels are joined otherwise");
+    feature(plan.interpolation == Interpolation::smooth, "smooth interpolation",
+            "the quality asks for it, or the slices are thick", "voxels are joined otherwise");
 }
 
 } // namespace
 
 void describePlan(RenderPlan& plan, const PlanRequest& request) {
     plan.notDrawn = partsNotDrawn(*plan.figure);
-    const auto feature = [&](bool used, const char* name, const char* why, const char* whyNot) {
+    const AddFeature feature = [&](bool used, const char* name, const char* why, const char* whyNot) {
         (used ? plan.featuresUsed : plan.featuresLeftOut).push_back({name, used ? why : whyNot});
     };
-    const bool style = anyLayer(plan, Shading::style);
-    const bool phong = anyLayer(plan, Shading::phong);
+    const bool style = anyLayer(plan, [](const PlanLayer& l) { return l.shading == Shading::style; });
+    const bool phong = anyLayer(plan, [](const PlanLayer& l) { return l.shading == Shading::phong; });
     feature(style, "lit-sphere styles", "a layer is drawn in styles", "no layer is drawn in styles");
     feature(style && plan.atlas && plan.atlas->directionalOpacity, "directional opacity",
             "a style has transparent directions", "every style is opaque in all directions");
     feature(phong, "Phong shading", "a layer asks for it", "no layer asks for it");
-    feature(style || phong, "gradients", "shading needs normals", "nothing drawn needs normals");
+    feature(anyLayer(plan, readsNormal), gradientName(plan.gradient), "layers need normals",
+            "nothing drawn needs normals");
+    describeTransfers(plan, feature);
     feature(plan.layers.size() > 1, "several layers", "more than one layer shows", "one layer at most shows");
     feature(plan.rays.perspective, "perspective", "the camera has it", "the camera is orthographic");
     feature(plan.subPixels > 1, "supersampling", "several rays for each pixel", "one ray for each pixel");
@@ -54,6 +96,10 @@ void describePlan(RenderPlan& plan, const PlanRequest& request) {
     plan.bytes +=
         plan.skip ? plan.skip->distance.size() * (1 + 2 * sizeof(float)) : 0; // with the min-max grid behind it
     plan.bytes += plan.volume != plan.figure->volume->data ? plan.volume->bytes() : 0;
+    plan.bytes += plan.field != plan.volume ? plan.field->bytes() : 0;
+    plan.bytes += plan.gradientField != plan.field ? plan.gradientField->bytes() : 0;
+    plan.bytes += plan.labels ? plan.labels->bytes() : 0;
+    plan.bytes += plan.secondVolume ? plan.secondVolume->bytes() : 0;
 }
 
 } // namespace limner

@@ -1,5 +1,7 @@
 #include "renderer/plan/explain.h"
 
+#include "renderer/plan/plan_layer.h"
+
 #include "core/volume/cleanup.h"
 #include "renderer/plan/skip_grid.h"
 #include "renderer/plan/style_atlas.h"
@@ -33,22 +35,11 @@ constexpr double kSampleNs = 10; // 105 Msamples/s
 std::uint64_t tableBytes(const RenderPlan& plan) {
     std::uint64_t bytes = 0;
     for (const PlanLayer& layer : plan.layers) {
-        bytes += (layer.table.opacity.size() + layer.table.index.size()) * sizeof(float);
+        const TransferTable& table = layer.table;
+        bytes += (table.opacity.size() + table.index.size() + table.rowIndex.size() + table.opacity2d.size()) *
+                 sizeof(float);
     }
     return bytes;
-}
-
-/// All that any layer shows, as the planner asks it: over the stored range.
-VisibleRange visibleOf(const RenderPlan& plan) {
-    const Volume& volume = *plan.volume;
-    VisibleRange range;
-    range.low = volume.storedFromValue(volume.range().low);
-    range.high = volume.storedFromValue(volume.range().high);
-    if (range.low > range.high) {
-        std::swap(range.low, range.high);
-    }
-    range.visible.assign(plan.layers.empty() ? 2 : plan.layers.front().table.opacity.size(), 1);
-    return range;
 }
 
 struct Costs {
@@ -89,8 +80,8 @@ struct Costs {
         const double voxels = static_cast<double>(plan.volume->grid().voxelCount());
         cost.estimatedMs = parallelMs(kMinMaxNsPerVoxel * voxels + kDistanceNsPerBlock * voxels / 64);
         cost.measuredMs = millisecondsOf([&] {
-            const auto minMax = computeMinMaxGrid(*plan.volume);
-            const auto skip = computeSkipGrid(*minMax, visibleOf(plan));
+            const auto minMax = computeMinMaxGrid(*plan.field);
+            const auto skip = computeSkipGrid(*minMax, visibleRange(plan.layers, *plan.volume));
             cost.bytes = (minMax->low.size() + minMax->high.size()) * sizeof(float) + skip->distance.size();
         });
         return cost;
@@ -134,11 +125,16 @@ struct Costs {
 
 std::vector<std::string> fieldsOf(const RenderPlan& plan) {
     std::vector<std::string> fields{"value"};
-    const bool gradient = std::any_of(plan.layers.begin(), plan.layers.end(),
-                                      [](const PlanLayer& layer) { return layer.shading != Shading::flat; });
-    if (gradient) {
-        fields.emplace_back("gradient");
-    }
+    const auto add = [&](const char* name, auto reads) {
+        if (std::any_of(plan.layers.begin(), plan.layers.end(), reads)) {
+            fields.emplace_back(name);
+        }
+    };
+    add("gradient", readsNormal);
+    add("curvature", readsCurvature);
+    add("labels", readsLabels);
+    add("distance", [](const PlanLayer& layer) { return readsAxis(layer, TransferAxis::distance); });
+    add("second volume", [](const PlanLayer& layer) { return readsAxis(layer, TransferAxis::second); });
     return fields;
 }
 

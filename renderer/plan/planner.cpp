@@ -4,6 +4,8 @@
 #include "core/volume/cleanup.h"
 #include "core/volume/gradient_statistics.h"
 #include "renderer/plan/describe_plan.h"
+#include "renderer/plan/plan_fields.h"
+#include "renderer/plan/plan_layer.h"
 #include "renderer/plan/ray_frame.h"
 
 #include <glm/geometric.hpp>
@@ -16,51 +18,10 @@ namespace limner {
 
 namespace {
 
-/// One slot: successive plans differ in few inputs, so keeping the last result of each stage is enough.
-template <typename Key, typename Value>
-class LastResult {
-  public:
-    template <typename Compute>
-    const Value& get(const Key& key, const Compute& compute) {
-        if (!key_ || !(*key_ == key)) {
-            value_ = compute();
-            key_ = key;
-        }
-        return value_;
-    }
-
-  private:
-    std::optional<Key> key_;
-    Value value_;
-};
+constexpr double kCentralNoiseGain = 0.707; ///< of the gradients that GradientStatistics measures
 
 [[noreturn]] void refuse(const std::string& where, const std::string& why, const std::string& remedy) {
     throw Error(ErrorKind::badInput, {"the figure cannot be drawn", where, why, remedy});
-}
-
-bool drawsSpheres(const PlanLayer& layer) {
-    return layer.shading == Shading::style && std::any_of(layer.styles.styles.begin(), layer.styles.styles.end(),
-                                                          [](const auto& e) { return e.sphere != nullptr; });
-}
-
-PlanLayer planLayer(const Figure& figure, const Layer& source, const Volume& volume) {
-    PlanLayer layer;
-    layer.name = source.name;
-    layer.source = &source;
-    layer.shading = source.shading;
-    layer.twoSided = source.twoSided;
-    layer.specular = source.specular.value_or(Specular{});
-    layer.table = bakeTransfer(source, volume);
-    layer.styles = indexStyles(figure, source.transfer);
-    if (layer.shading == Shading::style && !drawsSpheres(layer)) {
-        layer.shading = Shading::flat; // only plain colours: constant spheres are unshaded colour
-    }
-    return layer;
-}
-
-bool showsAnything(const Layer& layer, const TransferTable& table) {
-    return layer.visible && layer.opacity > 0 &&
-           std::any_of(table.opacity.begin(), table.opacity.end(), [](float o) { return o > 0; });
 }
 
 /// Opacity of one step from that of the reference length (spec style-transfer-functions.md 6).
@@ -72,23 +33,23 @@ std::vector<float> stepOpacity(const std::vector<float>& opacity, double ratio) 
     return corrected;
 }
 
-VisibleRange visibleRange(const std::vector<PlanLayer>& layers, const Volume& volume) {
-    VisibleRange range{volume.storedFromValue(volume.range().low), volume.storedFromValue(volume.range().high), {}};
-    if (range.low > range.high) {
-        std::swap(range.low, range.high); // a falling rescale slope
+/// Standard deviation of the gradient's components for unit white noise and unit spacing (spec accuracy.md 1.6).
+double noiseGain(const RenderPlan& plan) {
+    switch (plan.gradient) {
+    case GradientEstimator::sobel: return 0.267;
+    case GradientEstimator::neumann: return 0.236;
+    case GradientEstimator::fourthOrder: return 0.950;
+    case GradientEstimator::bspline: return plan.gradientField == plan.volume ? 0.354 : 1.18; // not prefiltered
+    case GradientEstimator::automatic:
+    case GradientEstimator::central: break;
     }
-    std::size_t entries = 2;
-    for (const PlanLayer& layer : layers) {
-        entries = std::max(entries, layer.table.opacity.size());
-    }
-    range.visible.assign(entries, 0);
-    for (const PlanLayer& layer : layers) {
-        for (std::size_t i = 0; i < layer.table.opacity.size(); ++i) {
-            const bool falling = volume.contents().slope < 0;
-            range.visible[falling ? entries - 1 - i : i] |= layer.table.opacity[i] > 0 ? 1 : 0;
-        }
-    }
-    return range;
+    return kCentralNoiseGain;
+}
+
+/// Whether a layer asks how large a gradient is, beside its direction.
+bool readsGradientScale(const PlanLayer& layer) {
+    return readsNormal(layer) && (layer.shading != Shading::phong || layer.contours || layer.illustrative ||
+                                  readsAxis(layer, TransferAxis::gradient));
 }
 
 void checkDrawable(const Figure& figure) {
@@ -107,11 +68,13 @@ struct Planner::Cache {
         std::tuple<std::shared_ptr<const Volume>, std::shared_ptr<const Volume>, std::vector<CleanupStep>, double>;
     using VisibleKey = std::tuple<std::shared_ptr<const MinMaxGrid>, double, double, std::vector<std::uint8_t>>;
     using AtlasKey = std::tuple<std::vector<std::shared_ptr<const LitSphere>>, int>;
-    LastResult<CleanKey, std::shared_ptr<const Volume>> cleaned;
-    LastResult<std::shared_ptr<const Volume>, std::shared_ptr<const MinMaxGrid>> minMax;
-    LastResult<std::shared_ptr<const Volume>, GradientStatistics> gradients;
-    LastResult<VisibleKey, std::shared_ptr<const SkipGrid>> skip;
-    LastResult<AtlasKey, std::shared_ptr<const StyleAtlas>> atlas;
+    using MinMaxKey = std::pair<std::shared_ptr<const Volume>, SampleReach>;
+    RecentResults<CleanKey, std::shared_ptr<const Volume>> cleaned;
+    RecentResults<MinMaxKey, std::shared_ptr<const MinMaxGrid>> minMax;
+    RecentResults<std::shared_ptr<const Volume>, GradientStatistics> gradients;
+    RecentResults<VisibleKey, std::shared_ptr<const SkipGrid>> skip;
+    RecentResults<AtlasKey, std::shared_ptr<const StyleAtlas>> atlas;
+    PlanFields fields;
     std::vector<std::pair<glm::dvec3, std::shared_ptr<const LitSphere>>> plainSpheres;
 
     /// Plain colours among lit spheres are constant spheres; one and the same object per colour, so that the atlas is
@@ -130,6 +93,8 @@ struct Planner::Cache {
     }
 
     void packAtlas(RenderPlan& plan);
+    void addSkipGrid(RenderPlan& plan, const PlanRequest& request);
+    void measureGradients(RenderPlan& plan);
 };
 
 void Planner::Cache::packAtlas(RenderPlan& plan) {
@@ -163,6 +128,33 @@ void Planner::Cache::packAtlas(RenderPlan& plan) {
     plan.atlas = atlas.get({spheres, wanted}, [&] { return packStyles(spheres, wanted); });
 }
 
+void Planner::Cache::addSkipGrid(RenderPlan& plan, const PlanRequest& request) {
+    const SampleReach reach = plan.interpolation == Interpolation::linear ? SampleReach::cell : SampleReach::neighbours;
+    const auto lowHigh = minMax.get({plan.field, reach}, [&] { return computeMinMaxGrid(*plan.field, reach); });
+    VisibleRange range = visibleRange(plan.layers, *plan.volume);
+    if (!request.omit) {
+        std::fill(range.visible.begin(), range.visible.end(), std::uint8_t{1});
+    }
+    // The field may keep its numbers otherwise than the volume.
+    range.low = plan.field->storedFromValue(plan.volume->valueFromStored(range.low));
+    range.high = plan.field->storedFromValue(plan.volume->valueFromStored(range.high));
+    if (range.low > range.high) {
+        std::swap(range.low, range.high);
+        std::reverse(range.visible.begin(), range.visible.end());
+    }
+    plan.skip =
+        skip.get({lowHigh, range.low, range.high, range.visible}, [&] { return computeSkipGrid(*lowHigh, range); });
+}
+
+void Planner::Cache::measureGradients(RenderPlan& plan) {
+    if (std::any_of(plan.layers.begin(), plan.layers.end(), readsGradientScale)) {
+        const GradientStatistics statistics =
+            gradients.get(plan.volume, [&] { return computeGradientStatistics(*plan.volume); });
+        plan.gradientMax = statistics.p999 > 0 ? statistics.p999 : 1;
+        plan.gradientFloor = statistics.noise * noiseGain(plan) / kCentralNoiseGain;
+    }
+}
+
 Planner::Planner() : cache_(std::make_unique<Cache>()) {}
 Planner::~Planner() = default;
 
@@ -177,42 +169,37 @@ std::shared_ptr<const RenderPlan> Planner::plan(const Figure& figure, const Plan
     plan->volume = cache_->cleaned.get({figure.volume->data, labels, figure.cleanup, aspect}, [&] {
         return applyCleanup(figure.volume->data, labels.get(), figure.cleanup, aspect, task);
     });
-    const Volume& volume = *plan->volume;
     const Quality& quality = figure.quality;
     plan->subPixels = request.subPixels > 0           ? request.subPixels
                       : quality.samplesPerPixel >= 16 ? 4
                       : quality.samplesPerPixel >= 4  ? 2
                                                       : 1;
-    plan->referenceLengthMm = volume.grid().smallestSpacingMm();
+    plan->referenceLengthMm = plan->volume->grid().smallestSpacingMm();
     plan->lattice = request.lattice.value_or(
         SampleLattice{quality.stepVoxels * request.stepScale * plan->referenceLengthMm, 0.5, 0});
     plan->earlyTermination = quality.earlyTermination;
     plan->clip = figure.clip;
-    plan->rays = makeRayFrame(figure.camera, volume, plan->size);
-    for (const Layer& layer : plan->figure->layers) {
-        PlanLayer planned = planLayer(*plan->figure, layer, volume);
-        if (!request.omit || showsAnything(layer, planned.table)) {
-            planned.stepOpacity = stepOpacity(planned.table.opacity, plan->lattice.stepMm / plan->referenceLengthMm);
-            plan->layers.push_back(std::move(planned));
-        }
-    }
+    plan->rays = makeRayFrame(figure.camera, *plan->volume, plan->size);
+    cache_->fields.chooseEstimators(*plan, task);
+    addLayers(*plan, request);
     task.throwIfCancelled();
-    const auto minMax = cache_->minMax.get(plan->volume, [&] { return computeMinMaxGrid(volume); });
-    VisibleRange range = visibleRange(plan->layers, volume);
-    if (!request.omit) {
-        std::fill(range.visible.begin(), range.visible.end(), std::uint8_t{1});
-    }
-    plan->skip = cache_->skip.get({minMax, range.low, range.high, range.visible},
-                                  [&] { return computeSkipGrid(*minMax, range); });
+    cache_->fields.addFields(*plan, task);
+    cache_->addSkipGrid(*plan, request);
     cache_->packAtlas(*plan);
-    if (plan->atlas) {
-        const GradientStatistics statistics =
-            cache_->gradients.get(plan->volume, [&] { return computeGradientStatistics(volume); });
-        plan->gradientMax = statistics.p999;
-        plan->gradientFloor = statistics.noise;
-    }
+    cache_->measureGradients(*plan);
     describePlan(*plan, request);
     return plan;
+}
+
+void Planner::addLayers(RenderPlan& plan, const PlanRequest& request) {
+    const LayerSurroundings around{*plan.figure, *plan.volume, cache_->fields.axisRanges(plan), plan.size};
+    for (const Layer& layer : plan.figure->layers) {
+        PlanLayer planned = planLayer(layer, around);
+        if (!request.omit || showsAnything(layer, planned.table)) {
+            planned.stepOpacity = stepOpacity(planned.table.opacity, plan.lattice.stepMm / plan.referenceLengthMm);
+            plan.layers.push_back(std::move(planned));
+        }
+    }
 }
 
 } // namespace limner

@@ -28,6 +28,8 @@ class Planner {
     std::shared_ptr<const RenderPlan> plan(const Figure& figure, const PlanRequest& request, Task& task);
 
   private:
+    void addLayers(RenderPlan& plan, const PlanRequest& request);
+
     struct Cache;
     std::mutex mutex_;
     std::unique_ptr<Cache> cache_;

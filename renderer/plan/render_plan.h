@@ -7,7 +7,9 @@
 
 #include <glm/mat3x3.hpp>
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,18 +43,46 @@ struct SampleLattice {
     double boxInset = 0; ///< voxels taken off every face of the box: 0.5 starts rays at the outermost voxel centres
 };
 
+/// A layer's contours, ready to draw.
+struct PlanContours {
+    bool curvatureControlled = true;
+    CurvatureEstimator curvature = CurvatureEstimator::hessian;
+    double thicknessMm = 0; ///< of the pen in the target plane, on the object
+    double probeMm = 1;     ///< CurvatureEstimator::normals: distance between the two
+    /// Not controlled: where contours end, |n.v|: as on a ball of kUncontrolledRadiusMm on paper.
+    double fixedWidth = 0;
+};
+
+/// Radius, mm on paper, of the ball on which contours that do not follow the curvature have their asked width.
+inline constexpr double kUncontrolledRadiusMm = 10;
+
 /// One visible layer, ready to draw.
 struct PlanLayer {
     std::string name;
     const Layer* source = nullptr; ///< in the plan's figure: what the reference evaluates
     Shading shading = Shading::style;
     bool twoSided = true;
-    Specular specular; ///< Phong's
+    bool illustrative = false; ///< transparency by the 100-percent rule
+    Specular specular;         ///< Phong's
+    std::optional<PlanContours> contours;
     TransferTable table;
     std::vector<float> stepOpacity; ///< of one whole step of the plan's lattice, entries as the table's
     StyleIndex styles;
     std::vector<int> atlasSlots; ///< distinct style -> slot of the atlas; empty unless shading is style with a sphere
+    std::vector<std::uint8_t> shownSlots;     ///< label slot -> 1 where the label shows; empty: all show
+    std::vector<std::int16_t> rowOfSlot;      ///< label slot -> row of the table, -1: none; empty: no label axis
+    std::shared_ptr<const Volume> distance;   ///< axis "distance" from a label: mm; else null
+    std::optional<glm::dvec3> distanceFromMm; ///< axis "distance" from a point
 };
+
+/// What a layer's evaluation reads beside the value.
+bool readsNormal(const PlanLayer& layer);
+bool readsCurvature(const PlanLayer& layer);
+bool readsLabels(const PlanLayer& layer);
+/// Whether a sample's opacity follows from its value alone, so that it is known before the sample is shaded.
+bool opacityByValue(const PlanLayer& layer);
+/// Whether the layer's transfer function reads an axis.
+bool readsAxis(const PlanLayer& layer, TransferAxis axis);
 
 /// A part of the renderer that a figure may need.
 struct PlanFeature {
@@ -73,6 +103,14 @@ struct RenderPlan {
     double earlyTermination = 0.001;
     double gradientFloor = 0; ///< data's unit per mm: below it a normal is undefined (numerics 2a)
     double gradientMax = 1;   ///< data's unit per mm: 99.9th percentile of |gradient|, for normalised magnitudes
+    /// How values lie between voxels, never automatic; what is interpolated: the volume, or its spline coefficients.
+    Interpolation interpolation = Interpolation::linear;
+    std::shared_ptr<const Volume> field;
+    /// How gradients are measured, never automatic, and on what: the field, or the volume's spline coefficients.
+    GradientEstimator gradient = GradientEstimator::central;
+    std::shared_ptr<const Volume> gradientField;
+    std::shared_ptr<const Volume> labels;       ///< label slots on the volume's grid; null where no layer reads them
+    std::shared_ptr<const Volume> secondVolume; ///< on the volume's grid; null where no layer reads it
     Clip clip;
     std::vector<PlanLayer> layers; ///< visible ones with any opacity, in drawing order
     std::shared_ptr<const SkipGrid> skip;

@@ -1,5 +1,7 @@
 #include "renderer/plan/skip_grid.h"
 
+#include "core/volume/brick_rows.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -14,14 +16,15 @@ constexpr int kBlocksPerBrick = BrickLayout::kBrickCells / MinMaxGrid::kBlockCel
 constexpr int kBlockVoxels = MinMaxGrid::kBlockCells + 1; // four cells have five voxel planes
 constexpr int kFirstVoxel = 1; // in the brick's own count: block 0 starts at cell 0, whose lower voxel is 1
 
-template <typename T>
+/// Over a cube of `Voxels` on a side.
+template <int Voxels, typename T>
 void blockRange(const T* first, float& low, float& high) {
     T lowest = *first;
     T highest = *first;
-    for (int z = 0; z < kBlockVoxels; ++z) {
-        for (int y = 0; y < kBlockVoxels; ++y) {
+    for (int z = 0; z < Voxels; ++z) {
+        for (int y = 0; y < Voxels; ++y) {
             const T* row = first + z * BrickLayout::kSlice + y * BrickLayout::kRow;
-            for (int x = 0; x < kBlockVoxels; ++x) {
+            for (int x = 0; x < Voxels; ++x) {
                 lowest = std::min(lowest, row[x]);
                 highest = std::max(highest, row[x]);
             }
@@ -31,7 +34,7 @@ void blockRange(const T* first, float& low, float& high) {
     high = static_cast<float>(highest);
 }
 
-template <typename T>
+template <int Reach, typename T>
 void brickRanges(const Volume& volume, glm::ivec3 brick, MinMaxGrid& grid) {
     const glm::ivec3 bricks = volume.layout().bricks;
     const std::size_t index = (static_cast<std::size_t>(brick.z) * bricks.y + brick.y) * bricks.x + brick.x;
@@ -41,12 +44,13 @@ void brickRanges(const Volume& volume, glm::ivec3 brick, MinMaxGrid& grid) {
     for (int z = 0; z < count.z; ++z) {
         for (int y = 0; y < count.y; ++y) {
             for (int x = 0; x < count.x; ++x) {
-                const glm::ivec3 local = glm::ivec3(x, y, z) * MinMaxGrid::kBlockCells + kFirstVoxel;
+                const glm::ivec3 local = glm::ivec3(x, y, z) * MinMaxGrid::kBlockCells + kFirstVoxel - Reach;
                 const glm::ivec3 block = firstBlock + glm::ivec3(x, y, z);
                 const std::size_t at =
                     (static_cast<std::size_t>(block.z) * grid.blocks.y + block.y) * grid.blocks.x + block.x;
-                blockRange(voxels + local.z * BrickLayout::kSlice + local.y * BrickLayout::kRow + local.x, grid.low[at],
-                           grid.high[at]);
+                blockRange<kBlockVoxels + 2 * Reach>(voxels + local.z * BrickLayout::kSlice +
+                                                         local.y * BrickLayout::kRow + local.x,
+                                                     grid.low[at], grid.high[at]);
             }
         }
     }
@@ -126,7 +130,7 @@ void spreadDistances(SkipGrid& skip) {
 
 } // namespace
 
-std::shared_ptr<const MinMaxGrid> computeMinMaxGrid(const Volume& volume) {
+std::shared_ptr<const MinMaxGrid> computeMinMaxGrid(const Volume& volume, SampleReach reach) {
     auto grid = std::make_shared<MinMaxGrid>();
     grid->blocks = (volume.grid().dims + MinMaxGrid::kBlockCells - 1) / MinMaxGrid::kBlockCells;
     const std::size_t count = static_cast<std::size_t>(grid->blocks.x) * grid->blocks.y * grid->blocks.z;
@@ -135,11 +139,11 @@ std::shared_ptr<const MinMaxGrid> computeMinMaxGrid(const Volume& volume) {
     const glm::ivec3 bricks = volume.layout().bricks;
     tbb::parallel_for(0, bricks.x * bricks.y * bricks.z, [&](int i) {
         const glm::ivec3 brick(i % bricks.x, i / bricks.x % bricks.y, i / (bricks.x * bricks.y));
-        switch (volume.type()) {
-        case VoxelType::uint8: brickRanges<std::uint8_t>(volume, brick, *grid); break;
-        case VoxelType::int16: brickRanges<std::int16_t>(volume, brick, *grid); break;
-        case VoxelType::float32: brickRanges<float>(volume, brick, *grid); break;
-        }
+        withVoxelType(volume.type(), [&](auto* none) {
+            using Voxel = std::remove_cv_t<std::remove_pointer_t<decltype(none)>>;
+            reach == SampleReach::cell ? brickRanges<0, Voxel>(volume, brick, *grid)
+                                       : brickRanges<1, Voxel>(volume, brick, *grid);
+        });
     });
     return grid;
 }

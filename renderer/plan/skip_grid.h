@@ -9,8 +9,12 @@
 
 namespace limner {
 
-/// Lowest and highest stored number in every block of 4^3 cells (see BrickLayout for cells), all voxels that a
-/// trilinear sample inside the block can read included. Once per volume.
+/// Voxels that a sample inside a cell reads: its corners, or one more to every side (a cubic B-spline's value lies
+/// between those of its coefficients).
+enum class SampleReach { cell, neighbours };
+
+/// Lowest and highest stored number in every block of 4^3 cells (see BrickLayout for cells), all voxels that a sample
+/// inside the block can read included. Once per volume.
 struct MinMaxGrid {
     static constexpr int kBlockCells = 4;
     static constexpr int kLog2BlockCells = 2;
@@ -19,7 +23,7 @@ struct MinMaxGrid {
     std::vector<float> high;
 };
 
-std::shared_ptr<const MinMaxGrid> computeMinMaxGrid(const Volume& volume);
+std::shared_ptr<const MinMaxGrid> computeMinMaxGrid(const Volume& volume, SampleReach reach = SampleReach::cell);
 
 /// Chebyshev distance, in blocks, from every block to the nearest one that can contribute; 0: it can itself.
 /// Capped at kReach. Once per set of transfer tables.

@@ -21,6 +21,20 @@ std::shared_ptr<const LitSphere> mipLevel(std::shared_ptr<const LitSphere> spher
     return sphere;
 }
 
+/// The picture at `size` texels a side.
+std::vector<Rgba> resampled(const LitSphere& sphere, int size) {
+    if (sphere.size() == size) {
+        return {sphere.pixels().begin(), sphere.pixels().end()};
+    }
+    std::vector<Rgba> texels;
+    for (int row = 0; row < size; ++row) {
+        for (int column = 0; column < size; ++column) {
+            texels.push_back(sphere.at((2.0 * column + 1) / size - 1, 1 - (2.0 * row + 1) / size));
+        }
+    }
+    return texels;
+}
+
 } // namespace
 
 std::shared_ptr<const StyleAtlas> packStyles(std::span<const std::shared_ptr<const LitSphere>> spheres, int texels) {
@@ -30,17 +44,15 @@ std::shared_ptr<const StyleAtlas> packStyles(std::span<const std::shared_ptr<con
     atlas->directionalOpacity =
         std::any_of(spheres.begin(), spheres.end(), [](const auto& sphere) { return sphere->hasDirectionalOpacity(); });
     const auto side = static_cast<std::size_t>(atlas->size);
-    const std::size_t padded = (spheres.size() * side * side + side + 1) * 4;
+    const std::size_t padded = (spheres.size() * side * side + side + 1) * StyleAtlas::kPerTexel;
     atlas->texels.reserve(padded);
     for (const auto& sphere : spheres) {
         assert(sphere != nullptr);
-        const auto level = mipLevel(sphere, atlas->size);
-        const bool exact = level->size() == atlas->size;
+        const std::vector<Rgba> picture = resampled(*mipLevel(sphere, atlas->size), atlas->size);
         for (std::size_t i = 0; i < side * side; ++i) {
-            const double u = (2.0 * static_cast<double>(i % side) + 1) / atlas->size - 1;
-            const double v = 1 - (2.0 * static_cast<double>(i / side) + 1) / atlas->size;
-            const Rgba texel = exact ? level->pixels()[i] : level->at(u, v);
-            for (const float channel : {texel.r, texel.g, texel.b, texel.a}) {
+            const Rgba& here = picture[i];
+            const Rgba& next = picture[i % side + 1 < side ? i + 1 : i];
+            for (const float channel : {here.r, next.r, here.g, next.g, here.b, next.b, here.a, next.a}) {
                 atlas->texels.push_back(fifteenBits(channel));
             }
         }

@@ -102,6 +102,13 @@ class CellCubic {
     double a_, b_, c_, d_;
 };
 
+/// All that an unshaded layer reads.
+SampleFacts factsOf(double value) {
+    SampleFacts facts;
+    facts.value = value;
+    return facts;
+}
+
 /// Extinction and emission of all layers at a data value.
 struct Medium {
     double extinction = 0; ///< per mm
@@ -112,9 +119,10 @@ class Integrator {
   public:
     explicit Integrator(const RenderPlan& plan) : plan_(plan) {
         for (const PlanLayer& layer : plan.layers) {
-            if (readsNormal(layer)) {
+            if (readsNormal(layer) || !opacityByValue(layer) || plan.interpolation != Interpolation::linear) {
                 throw Error(ErrorKind::usage,
-                            {"no exact integral", layer.name, "the layer is shaded", "use steps of decreasing size"});
+                            {"no exact integral", layer.name, "it is not one colour and opacity for each value",
+                             "use steps of decreasing size"});
             }
             for (const glm::dvec2& point : layer.source->transfer.opacity) {
                 knots_.push_back(point.x);
@@ -179,7 +187,7 @@ void Integrator::cell(const Ray& ray, const Stretch& stretch) {
     std::array<double, 4> values{};
     for (std::size_t i = 0; i < 4; ++i) {
         const double mm = stretch.inMm + stretch.lengthMm() * static_cast<double>(i) / 3;
-        values[i] = plan_.volume->valueFromStored(storedAt(*plan_.volume, ray.positionVoxel(mm)));
+        values[i] = valueAt(plan_, ray.positionVoxel(mm));
     }
     const CellCubic field(values);
     const std::vector<double> monotone = field.monotoneCuts();
@@ -207,7 +215,7 @@ Medium Integrator::mediumAt(double value) const {
     for (const PlanLayer& layer : plan_.layers) {
         const double opacity = opacityOf(layer, value);
         if (opacity > 0) {
-            const LayerSample sample = shadeLayer(layer, value, opacity, {});
+            const LayerSample sample = shadeLayer(plan_, layer, factsOf(value));
             const double extinction = optics::opticalDepth(sample.opacity) / plan_.referenceLengthMm;
             medium.extinction += extinction;
             medium.emission += extinction * glm::dvec3(sample.colour.r, sample.colour.g, sample.colour.b);
@@ -220,7 +228,7 @@ Medium Integrator::mediumAt(double value) const {
 glm::dvec3 Integrator::surfaceColour(double value) const {
     for (const PlanLayer& layer : plan_.layers) {
         if (opacityOf(layer, value) >= 1) {
-            const LayerSample sample = shadeLayer(layer, value, 1, {});
+            const LayerSample sample = shadeLayer(plan_, layer, factsOf(value));
             return {sample.colour.r, sample.colour.g, sample.colour.b};
         }
     }

@@ -17,7 +17,8 @@ struct ExactRay {
 /// layers are unshaded (PlanLayer::shading == flat). The ray is split at cell faces, where the field changes its cubic,
 /// and at that cubic's roots, where the transfer function has knots; each piece is integrated by nested Gauss-Legendre
 /// rules, doubled until nothing moves. Several layers: extinctions add, as sample-by-sample composition does in the
-/// limit of small steps. Throws Error(usage) for a shaded layer.
+/// limit of small steps. Throws Error(usage) for a layer whose colour or opacity
+/// depends on more than the value.
 ExactRay integrateExactly(const RenderPlan& plan, const glm::dvec2& positionPixel);
 
 } // namespace limner::reference

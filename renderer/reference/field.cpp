@@ -2,6 +2,8 @@
 
 #include <glm/common.hpp>
 
+#include <array>
+
 namespace limner::reference {
 
 namespace {
@@ -10,6 +12,7 @@ glm::dvec3 movedOntoLastCentre(const Volume& volume, const glm::dvec3& positionV
     return glm::min(positionVoxel, glm::dvec3(volume.grid().dims - 1));
 }
 
+/// Stored units.
 double interpolate(const Volume& volume, const glm::dvec3& positionVoxel) {
     const glm::dvec3 low = glm::floor(positionVoxel);
     const glm::dvec3 f = positionVoxel - low;
@@ -27,21 +30,135 @@ double interpolate(const Volume& volume, const glm::dvec3& positionVoxel) {
     return a + (slice(1) - a) * f.z;
 }
 
-} // namespace
+/// Weights of the four voxels around a position, from one before its cell to one behind.
+using Taps = std::array<double, 4>;
 
-double storedAt(const Volume& volume, const glm::dvec3& positionVoxel) {
-    return interpolate(volume, movedOntoLastCentre(volume, positionVoxel));
+Taps splineTaps(double f) {
+    const double g = 1 - f;
+    return {g * g * g / 6, 2.0 / 3 - f * f * (2 - f) / 2, 2.0 / 3 - g * g * (2 - g) / 2, f * f * f / 6};
 }
 
-glm::dvec3 indexGradient(const Volume& volume, const glm::dvec3& positionVoxel) {
+Taps splineSlopeTaps(double f) {
+    const double g = 1 - f;
+    return {-g * g / 2, f * (3 * f - 4) / 2, -g * (3 * g - 4) / 2, f * f / 2};
+}
+
+Taps splineBendTaps(double f) { return {1 - f, 3 * f - 2, 1 - 3 * f, f}; }
+
+/// A central difference at each corner of the cell, interpolated.
+Taps differenceTaps(double f) { return {(f - 1) / 2, -f / 2, (1 - f) / 2, f / 2}; }
+
+/// (1, centre, 1) / (2 + centre) at each corner of the cell, interpolated: Sobel's smoothing for 2, Neumann's for 1.
+Taps smoothingTaps(double f, double centre) {
+    const double share = 1 / (2 + centre);
+    return {(1 - f) * share, ((1 - f) * centre + f) * share, ((1 - f) + f * centre) * share, f * share};
+}
+
+/// Stored units.
+double weighted(const Volume& volume, const glm::ivec3& cell, const std::array<Taps, 3>& taps) {
+    double sum = 0;
+    for (int z = 0; z < 4; ++z) {
+        for (int y = 0; y < 4; ++y) {
+            double row = 0;
+            for (int x = 0; x < 4; ++x) {
+                row += taps[0][x] * volume.storedAt(cell + glm::ivec3(x - 1, y - 1, z - 1));
+            }
+            sum += taps[1][y] * taps[2][z] * row;
+        }
+    }
+    return sum;
+}
+
+/// A cell and the place inside it.
+struct CellPlace {
+    glm::ivec3 cell;
+    glm::dvec3 f;
+    CellPlace(const Volume& volume, const glm::dvec3& positionVoxel) {
+        const glm::dvec3 p = movedOntoLastCentre(volume, positionVoxel);
+        cell = glm::ivec3(glm::floor(p));
+        f = p - glm::floor(p);
+    }
+};
+
+glm::dvec3 separableGradient(const Volume& volume, const glm::dvec3& positionVoxel, GradientEstimator estimator) {
+    const CellPlace place(volume, positionVoxel);
+    std::array<Taps, 3> smooth{};
+    std::array<Taps, 3> slope{};
+    for (int axis = 0; axis < 3; ++axis) {
+        const double f = place.f[axis];
+        const bool spline = estimator == GradientEstimator::bspline;
+        smooth[axis] = spline ? splineTaps(f) : smoothingTaps(f, estimator == GradientEstimator::sobel ? 2 : 1);
+        slope[axis] = spline ? splineSlopeTaps(f) : differenceTaps(f);
+    }
+    return {weighted(volume, place.cell, {slope[0], smooth[1], smooth[2]}),
+            weighted(volume, place.cell, {smooth[0], slope[1], smooth[2]}),
+            weighted(volume, place.cell, {smooth[0], smooth[1], slope[2]})};
+}
+
+glm::dvec3 differences(const Volume& volume, const glm::dvec3& positionVoxel, bool fourthOrder) {
     const glm::dvec3 p = movedOntoLastCentre(volume, positionVoxel);
     glm::dvec3 gradient(0);
     for (int axis = 0; axis < 3; ++axis) {
-        glm::dvec3 step(0);
-        step[axis] = 1;
-        gradient[axis] = (interpolate(volume, p + step) - interpolate(volume, p - step)) / 2;
+        const auto over = [&](double voxels) {
+            glm::dvec3 step(0);
+            step[axis] = voxels;
+            return interpolate(volume, p + step) - interpolate(volume, p - step);
+        };
+        gradient[axis] = fourthOrder ? (8 * over(1) - over(2)) / 12 : over(1) / 2;
     }
     return gradient;
+}
+
+/// From stored units of the gradient field to those of the volume.
+double volumeUnits(const RenderPlan& plan) {
+    return plan.gradientField->contents().slope / plan.volume->contents().slope;
+}
+
+} // namespace
+
+double trilinearAt(const Volume& volume, const glm::dvec3& positionVoxel) {
+    return volume.valueFromStored(interpolate(volume, movedOntoLastCentre(volume, positionVoxel)));
+}
+
+double valueAt(const RenderPlan& plan, const glm::dvec3& positionVoxel) {
+    if (plan.interpolation == Interpolation::linear) {
+        return trilinearAt(*plan.field, positionVoxel);
+    }
+    const CellPlace place(*plan.field, positionVoxel);
+    return plan.field->valueFromStored(
+        weighted(*plan.field, place.cell, {splineTaps(place.f.x), splineTaps(place.f.y), splineTaps(place.f.z)}));
+}
+
+glm::dvec3 indexGradient(const RenderPlan& plan, const glm::dvec3& positionVoxel) {
+    const Volume& field = *plan.gradientField;
+    switch (plan.gradient) {
+    case GradientEstimator::sobel:
+    case GradientEstimator::neumann:
+    case GradientEstimator::bspline: return volumeUnits(plan) * separableGradient(field, positionVoxel, plan.gradient);
+    case GradientEstimator::fourthOrder: return volumeUnits(plan) * differences(field, positionVoxel, true);
+    case GradientEstimator::automatic:
+    case GradientEstimator::central: break;
+    }
+    return volumeUnits(plan) * differences(field, positionVoxel, false);
+}
+
+optics::Hessian<double> indexHessian(const RenderPlan& plan, const glm::dvec3& positionVoxel) {
+    const Volume& field = *plan.gradientField;
+    const CellPlace place(field, positionVoxel);
+    std::array<Taps, 3> value{};
+    std::array<Taps, 3> slope{};
+    std::array<Taps, 3> bend{};
+    for (int axis = 0; axis < 3; ++axis) {
+        value[axis] = splineTaps(place.f[axis]);
+        slope[axis] = splineSlopeTaps(place.f[axis]);
+        bend[axis] = splineBendTaps(place.f[axis]);
+    }
+    const double unit = volumeUnits(plan);
+    const auto of = [&](const Taps& x, const Taps& y, const Taps& z) {
+        return unit * weighted(field, place.cell, {x, y, z});
+    };
+    return {of(bend[0], value[1], value[2]),  of(value[0], bend[1], value[2]),  of(value[0], value[1], bend[2]),
+            of(slope[0], slope[1], value[2]), of(slope[0], value[1], slope[2]), of(value[0], slope[1], slope[2])};
 }
 
 } // namespace limner::reference

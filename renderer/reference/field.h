@@ -1,20 +1,28 @@
 #pragma once
 
-#include "core/volume/volume.h"
+#include "core/optics/contour.h"
+#include "renderer/plan/render_plan.h"
 
 #include <glm/vec3.hpp>
 
 namespace limner::reference {
 
-/// The field that every backend draws, in double. Positions in voxel coordinates (voxel centres at integers). A
+/// The fields that every backend draws, in double. Positions in voxel coordinates (voxel centres at integers). A
 /// position past the last centre of an axis is moved onto it; before the first centre the border voxel repeats (see
 /// BrickLayout).
 
-/// Trilinear interpolant in stored units.
-double storedAt(const Volume& volume, const glm::dvec3& positionVoxel);
+/// Value of the plan's field in the data's unit: the trilinear interpolant of the voxels, or the cubic B-spline.
+double valueAt(const RenderPlan& plan, const glm::dvec3& positionVoxel);
 
-/// Central differences of the trilinear interpolant over one voxel to either side: stored units per voxel along the
-/// index axes. 0 along an axis with a single voxel.
-glm::dvec3 indexGradient(const Volume& volume, const glm::dvec3& positionVoxel);
+/// Gradient by the plan's estimator, in stored units of the plan's volume per voxel along the index axes; 0 along an
+/// axis with a single voxel. Central and fourth-order differences are those of the trilinear interpolant; Sobel's and
+/// Neumann's are taken at the voxels and interpolated trilinearly; the B-spline's is its own derivative.
+glm::dvec3 indexGradient(const RenderPlan& plan, const glm::dvec3& positionVoxel);
+
+/// Second derivatives of the cubic B-spline over the plan's gradient field, units as the gradient's per voxel.
+optics::Hessian<double> indexHessian(const RenderPlan& plan, const glm::dvec3& positionVoxel);
+
+/// Trilinear value of any volume in its unit.
+double trilinearAt(const Volume& volume, const glm::dvec3& positionVoxel);
 
 } // namespace limner::reference

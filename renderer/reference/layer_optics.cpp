@@ -1,5 +1,11 @@
 #include "renderer/reference/layer_optics.h"
 
+#include "core/optics/contour.h"
+#include "core/optics/transparency.h"
+#include "renderer/reference/field.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 
 #include <algorithm>
@@ -9,7 +15,188 @@ namespace limner::reference {
 
 namespace {
 
+using Normal = optics::Vector3<double>;
+
 glm::dvec4 fromRgba(const Rgba& c) { return {c.r, c.g, c.b, c.a}; }
+
+bool anyLayer(const RenderPlan& plan, bool (*reads)(const PlanLayer&)) {
+    return std::any_of(plan.layers.begin(), plan.layers.end(), reads);
+}
+
+glm::dvec3 eyeGradient(const RenderPlan& plan, const glm::dvec3& positionVoxel) {
+    return plan.rays.eyeFromGradient * indexGradient(plan, positionVoxel);
+}
+
+Normal unitNormal(const glm::dvec3& gradientEye) {
+    return optics::normalFromGradient<double>({gradientEye.x, gradientEye.y, gradientEye.z});
+}
+
+/// Curvature along the view from the second derivatives (core/optics/contour.h).
+double bendAt(const RenderPlan& plan, const glm::dvec3& positionVoxel, const Normal& normalEye,
+              const glm::dvec3& viewEye, double magnitude) {
+    const glm::dvec3 n(normalEye.x, normalEye.y, normalEye.z);
+    const glm::dvec3 tangent = viewEye - glm::dot(n, viewEye) * n;
+    // The gradient in eye space is A g, so the Hessian there is A H A^T.
+    const glm::dvec3 u = glm::transpose(plan.rays.eyeFromGradient) * tangent;
+    // One A turns the second derivative's units, the other the first's: divided out by the stored unit.
+    const double second = optics::quadraticForm<double>(indexHessian(plan, positionVoxel), {u.x, u.y, u.z}) /
+                          plan.volume->contents().slope;
+    return optics::curvatureAlongView(second, glm::dot(tangent, tangent), magnitude);
+}
+
+double turnAt(const RenderPlan& plan, const Ray& ray, double positionMm, const Normal& normalEye) {
+    double probeMm = 0;
+    for (const PlanLayer& layer : plan.layers) {
+        probeMm = layer.contours ? std::max(probeMm, layer.contours->probeMm) : probeMm;
+    }
+    const Normal before = unitNormal(eyeGradient(plan, ray.positionVoxel(positionMm - probeMm)));
+    return probeMm > 0 ? optics::curvatureOfNormals(before, normalEye, probeMm) : 0;
+}
+
+bool readsTurn(const PlanLayer& layer) {
+    return layer.contours && layer.contours->curvatureControlled &&
+           layer.contours->curvature == CurvatureEstimator::normals;
+}
+
+bool readsBend(const PlanLayer& layer) { return readsCurvature(layer) && !readsTurn(layer); }
+
+SurfaceSample surfaceSample(const RenderPlan& plan, const Ray& ray, double positionMm) {
+    const glm::dvec3 position = ray.positionVoxel(positionMm);
+    const glm::dvec3 g = eyeGradient(plan, position);
+    const Normal normalEye = unitNormal(g);
+    const double magnitude = std::hypot(g.x, g.y, g.z);
+    SurfaceSample sample;
+    sample.normalRay =
+        optics::normalInRayFrame<double>(normalEye, {ray.directionEye.x, ray.directionEye.y, ray.directionEye.z});
+    sample.definedness = optics::normalDefinedness(magnitude, plan.gradientFloor);
+    sample.magnitude = magnitude / plan.gradientMax;
+    if (anyLayer(plan, readsBend)) {
+        sample.bend = sample.definedness * bendAt(plan, position, normalEye, -ray.directionEye, magnitude);
+    }
+    if (anyLayer(plan, readsTurn)) {
+        sample.turn = sample.definedness * turnAt(plan, ray, positionMm, normalEye);
+    }
+    return sample;
+}
+
+/// Slots of the eight voxels around a position, merged, with their trilinear weights.
+std::vector<std::pair<int, double>> membershipAt(const Volume& slots, const glm::dvec3& positionVoxel) {
+    const glm::dvec3 p = glm::min(positionVoxel, glm::dvec3(slots.grid().dims - 1));
+    const glm::ivec3 cell(glm::floor(p));
+    const glm::dvec3 f = p - glm::floor(p);
+    std::vector<std::pair<int, double>> members;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::ivec3 at(corner & 1, corner >> 1 & 1, corner >> 2);
+        double weight = 1;
+        for (int axis = 0; axis < 3; ++axis) {
+            weight *= at[axis] == 1 ? f[axis] : 1 - f[axis];
+        }
+        const int slot = static_cast<int>(slots.storedAt(cell + at));
+        const auto known =
+            std::find_if(members.begin(), members.end(), [&](const auto& member) { return member.first == slot; });
+        if (known != members.end()) {
+            known->second += weight;
+        } else if (weight > 0) {
+            members.emplace_back(slot, weight);
+        }
+    }
+    return members;
+}
+
+/// Where a layer's contours end at this sample, |n.v|; 0: it has none.
+double contourWidthAt(const PlanLayer& layer, const SampleFacts& facts) {
+    if (!layer.contours) {
+        return 0;
+    }
+    const PlanContours& contours = *layer.contours;
+    if (!contours.curvatureControlled) {
+        return contours.fixedWidth * facts.surface.definedness;
+    }
+    const double curvature =
+        contours.curvature == CurvatureEstimator::normals ? facts.surface.turn : facts.surface.bend;
+    return optics::contourWidth(contours.thicknessMm * facts.depth * curvature);
+}
+
+/// Position on an axis of the layer's transfer function; label axes go by rows.
+double axisPosition(const RenderPlan& plan, const PlanLayer& layer, TransferAxis axis, const SampleFacts& facts) {
+    switch (axis) {
+    case TransferAxis::gradient: return std::min(facts.surface.magnitude, 1.0);
+    case TransferAxis::curvature: return facts.surface.bend;
+    case TransferAxis::second: return trilinearAt(*plan.secondVolume, facts.positionVoxel);
+    case TransferAxis::distance:
+        return layer.distance ? trilinearAt(*layer.distance, facts.positionVoxel)
+                              : glm::distance(plan.volume->grid().mmFromVoxel(facts.positionVoxel),
+                                              layer.distanceFromMm.value_or(glm::dvec3(0)));
+    case TransferAxis::value:
+    case TransferAxis::label:
+    case TransferAxis::importance: break;
+    }
+    return facts.value;
+}
+
+/// `tft`: opacity and the nodes around a place, with weights.
+struct TransferSample {
+    double opacity = 0;
+    struct Node {
+        int node;
+        double weight;
+    };
+    std::vector<Node> nodes;
+};
+
+struct NodeAxis {
+    double index;
+    int count;
+    int stride;
+};
+
+void addNodes(const NodeAxis& x, const NodeAxis& y, TransferSample& sample) {
+    const auto split = [](const NodeAxis& axis) {
+        const double index = std::clamp(axis.index, 0.0, axis.count - 1.0);
+        const int low = static_cast<int>(std::floor(index));
+        return std::pair(low, index - low);
+    };
+    const auto [x0, wx] = split(x);
+    const auto [y0, wy] = split(y);
+    for (int corner = 0; corner < 4; ++corner) {
+        const double weight = ((corner & 1) != 0 ? wx : 1 - wx) * (corner > 1 ? wy : 1 - wy);
+        if (weight > 0) {
+            const int column = std::min(x0 + (corner & 1), x.count - 1);
+            const int row = std::min(y0 + (corner >> 1), y.count - 1);
+            sample.nodes.push_back({column * x.stride + row * y.stride, weight});
+        }
+    }
+}
+
+/// Of one layer at one place; `row`: of the table, where an axis is the label.
+TransferSample transferAt(const RenderPlan& plan, const PlanLayer& layer, const SampleFacts& facts, int row) {
+    const Transfer& transfer = layer.source->transfer;
+    const TransferTable& table = layer.table;
+    TransferSample sample;
+    const auto at = [&](TransferAxis axis) {
+        return axis == TransferAxis::label ? table.labels[static_cast<std::size_t>(row)]
+                                           : axisPosition(plan, layer, axis, facts);
+    };
+    const double first = at(firstAxis(transfer));
+    if (transfer.kind == TransferKind::oneDimensional) {
+        sample.opacity = opacityAt(transfer.opacity, first);
+        const bool labelled = firstAxis(transfer) == TransferAxis::label;
+        const double index =
+            labelled ? table.rowIndex[static_cast<std::size_t>(row)] : nodeIndexAt(transfer.nodes, first);
+        addNodes({index, static_cast<int>(layer.styles.nodeToStyle.size()), 1}, {0, 1, 0}, sample);
+    } else {
+        const double second = at(*secondAxis(transfer));
+        sample.opacity = opacity2dAt(transfer, first, second);
+        const TransferGrid& grid = *transfer.grid;
+        const auto columns = static_cast<int>(grid.x.size());
+        addNodes({gridIndexAt(grid.x, first, firstAxis(transfer) == TransferAxis::label), columns, 1},
+                 {gridIndexAt(grid.y, second, *secondAxis(transfer) == TransferAxis::label),
+                  static_cast<int>(grid.y.size()), columns},
+                 sample);
+    }
+    sample.opacity = std::clamp(sample.opacity * layer.source->opacity, 0.0, 1.0);
+    return sample;
+}
 
 /// One style at a normal: its mean where the normal means nothing.
 glm::dvec4 lookUp(const StyleIndex::Entry& style, const optics::DiskPoint<double>& point, double definedness) {
@@ -20,61 +207,101 @@ glm::dvec4 lookUp(const StyleIndex::Entry& style, const optics::DiskPoint<double
     return mean + (fromRgba(style.sphere->at(point.x, point.y)) - mean) * definedness;
 }
 
-/// Interpolates whole styles, or plain colours, between the two nodes around a value.
+/// Whole styles, or plain colours, blended by the nodes' weights.
 template <typename Look>
-glm::dvec4 betweenNodes(const PlanLayer& layer, double value, const Look& look) {
-    const auto& nodeToStyle = layer.styles.nodeToStyle;
-    if (nodeToStyle.empty()) {
-        return {0.5, 0.5, 0.5, 1}; // no node: mid grey, as for an unknown style
+glm::dvec4 blended(const PlanLayer& layer, const TransferSample& sample, const Look& look) {
+    glm::dvec4 sum(0);
+    for (const TransferSample::Node& node : sample.nodes) {
+        const int style = layer.styles.nodeToStyle[static_cast<std::size_t>(node.node)];
+        sum += node.weight * look(layer.styles.styles[static_cast<std::size_t>(style)]);
     }
-    const int last = static_cast<int>(nodeToStyle.size()) - 1;
-    const double index = std::clamp(nodeIndexAt(layer.source->transfer.nodes, value), 0.0, static_cast<double>(last));
-    const int i0 = static_cast<int>(std::floor(index));
-    const double w = index - i0;
-    const auto at = [&](int i) { return look(layer.styles.styles[static_cast<std::size_t>(nodeToStyle[i])]); };
-    const glm::dvec4 first = at(i0);
-    return w > 0 ? first + (at(std::min(i0 + 1, last)) - first) * w : first;
+    return sum;
+}
+
+/// Colour with the directional opacity as alpha.
+glm::dvec4 colourOf(const PlanLayer& layer, const TransferSample& transfer, const SurfaceSample& surface,
+                    double width) {
+    if (layer.shading == Shading::style) {
+        const auto normal = layer.twoSided ? optics::facingViewer(surface.normalRay) : surface.normalRay;
+        const auto inside = optics::litSpherePoint(normal);
+        const double radius = std::hypot(inside.x, inside.y);
+        const double pushed = optics::contourPush(radius, std::abs(normal.z), width);
+        const double stretch = radius > 0 ? pushed / radius : 1;
+        const optics::DiskPoint<double> point{inside.x * stretch, inside.y * stretch};
+        return blended(layer, transfer,
+                       [&](const StyleIndex::Entry& style) { return lookUp(style, point, surface.definedness); });
+    }
+    const glm::dvec4 plain =
+        blended(layer, transfer, [](const StyleIndex::Entry& style) { return glm::dvec4(style.rgb, 1); });
+    const double ink = 1 - optics::contourCoverage(std::abs(surface.normalRay.z), width);
+    if (layer.shading == Shading::flat) {
+        return {glm::dvec3(plain) * ink, 1};
+    }
+    const optics::PhongTerms<double> terms{layer.specular.strength, layer.specular.exponent};
+    const auto lit =
+        optics::phong<double>({plain.r, plain.g, plain.b}, optics::facing(surface.normalRay.z, layer.twoSided), terms);
+    return {glm::dvec3(lit.r, lit.g, lit.b) * ink, 1};
+}
+
+/// One label's part, or the whole where the layer's transfer function has no label axis.
+LayerSample shadeRow(const RenderPlan& plan, const PlanLayer& layer, const SampleFacts& facts, int row) {
+    const TransferSample transfer = transferAt(plan, layer, facts, row);
+    const double width = contourWidthAt(layer, facts);
+    const glm::dvec4 c = colourOf(layer, transfer, facts.surface, width);
+    const double opacity = layer.illustrative
+                               ? optics::illustrativeOpacity(c.a, transfer.opacity, std::abs(facts.surface.normalRay.z),
+                                                             width, facts.surface.magnitude)
+                               : optics::uniformOpacity(c.a, transfer.opacity);
+    return {{c.r, c.g, c.b}, opacity};
 }
 
 } // namespace
 
-SurfaceSample surfaceSample(const RenderPlan& plan, const glm::dvec3& gradientIndex, const glm::dvec3& rayEye) {
-    const glm::dvec3 g = plan.rays.eyeFromGradient * gradientIndex;
-    const auto normalEye = optics::normalFromGradient<double>({g.x, g.y, g.z});
-    SurfaceSample sample;
-    sample.normalRay = optics::normalInRayFrame<double>(normalEye, {rayEye.x, rayEye.y, rayEye.z});
-    sample.definedness = optics::normalDefinedness(std::hypot(g.x, g.y, g.z), plan.gradientFloor);
-    return sample;
-}
-
-bool readsNormal(const PlanLayer& layer) {
-    if (layer.shading == Shading::phong) {
-        return true;
+SampleFacts sampleFacts(const RenderPlan& plan, const Ray& ray, double positionMm, double value) {
+    SampleFacts facts;
+    facts.value = value;
+    facts.positionVoxel = ray.positionVoxel(positionMm);
+    if (plan.rays.perspective) {
+        // Along the view's middle; 1 at the target plane, where a pixel is as wide as planned.
+        const glm::dvec3 fromEye = plan.rays.mmFromVoxel * (facts.positionVoxel - plan.rays.originVoxel);
+        const glm::dvec3 toPlane = plan.rays.mmFromVoxel * plan.rays.forwardVoxel;
+        facts.depth = (plan.rays.eyeFromMm * fromEye).z / (plan.rays.eyeFromMm * toPlane).z;
     }
-    return layer.shading == Shading::style && std::any_of(layer.styles.styles.begin(), layer.styles.styles.end(),
-                                                          [](const auto& entry) { return entry.sphere != nullptr; });
+    if (anyLayer(plan, readsNormal)) {
+        facts.surface = surfaceSample(plan, ray, positionMm);
+    }
+    if (plan.labels) {
+        facts.membership = membershipAt(*plan.labels, facts.positionVoxel);
+    }
+    return facts;
 }
 
 double opacityOf(const PlanLayer& layer, double value) {
     return std::clamp(opacityAt(layer.source->transfer.opacity, value) * layer.source->opacity, 0.0, 1.0);
 }
 
-LayerSample shadeLayer(const PlanLayer& layer, double value, double opacity, const SurfaceSample& surface) {
-    if (layer.shading == Shading::style) {
-        const auto normal = layer.twoSided ? optics::facingViewer(surface.normalRay) : surface.normalRay;
-        const auto point = optics::litSpherePoint(normal);
-        const glm::dvec4 c = betweenNodes(
-            layer, value, [&](const StyleIndex::Entry& style) { return lookUp(style, point, surface.definedness); });
-        return {{c.r, c.g, c.b}, optics::uniformOpacity(c.a, opacity)};
+LayerSample shadeLayer(const RenderPlan& plan, const PlanLayer& layer, const SampleFacts& facts) {
+    if (!readsLabels(layer)) {
+        return shadeRow(plan, layer, facts, 0);
     }
-    const glm::dvec4 c =
-        betweenNodes(layer, value, [](const StyleIndex::Entry& style) { return glm::dvec4(style.rgb, 1); });
-    const optics::Colour<double> plain{c.r, c.g, c.b};
-    if (layer.shading == Shading::flat) {
-        return {plain, opacity};
+    LayerSample sum;
+    for (const auto& [slot, weight] : facts.membership) {
+        const bool shown = layer.shownSlots.empty() || layer.shownSlots[static_cast<std::size_t>(slot)] != 0;
+        const int row = layer.rowOfSlot.empty() ? 0 : layer.rowOfSlot[static_cast<std::size_t>(slot)];
+        if (!shown || row < 0) {
+            continue;
+        }
+        // An invisible neighbour's colour must not bleed: colours are weighted by opacity.
+        const LayerSample part = shadeRow(plan, layer, facts, row);
+        const double share = weight * part.opacity;
+        sum.colour = {sum.colour.r + share * part.colour.r, sum.colour.g + share * part.colour.g,
+                      sum.colour.b + share * part.colour.b};
+        sum.opacity += share;
     }
-    const optics::PhongTerms<double> terms{layer.specular.strength, layer.specular.exponent};
-    return {optics::phong(plain, optics::facing(surface.normalRay.z, layer.twoSided), terms), opacity};
+    if (sum.opacity > 0) {
+        sum.colour = {sum.colour.r / sum.opacity, sum.colour.g / sum.opacity, sum.colour.b / sum.opacity};
+    }
+    return sum;
 }
 
 } // namespace limner::reference

@@ -2,16 +2,34 @@
 
 #include "core/optics/shading.h"
 #include "renderer/plan/render_plan.h"
+#include "renderer/reference/ray.h"
+
+#include <utility>
+#include <vector>
 
 namespace limner::reference {
 
-/// The gradient at a sample, as shading reads it.
+/// The surface at a sample, as shading reads it.
 struct SurfaceSample {
     optics::Vector3<double> normalRay{0, 0, 1}; ///< unit, in the frame of the ray; before any flip to the viewer
     double definedness = 0;                     ///< 0: no normal, 1: a sound one
+    double magnitude = 0;                       ///< of the gradient, over the plan's gradientMax
+    double bend = 0;                            ///< curvature along the view by the Hessian, 1/mm
+    double turn = 0;                            ///< the same by two normals on the ray
 };
 
-SurfaceSample surfaceSample(const RenderPlan& plan, const glm::dvec3& gradientIndex, const glm::dvec3& rayEye);
+/// What the layers read at one sample.
+struct SampleFacts {
+    double value = 0;
+    glm::dvec3 positionVoxel{0};
+    double depth = 1; ///< distance along the view over the target's; 1 throughout in orthographic views
+    SurfaceSample surface;
+    std::vector<std::pair<int, double>>
+        membership; ///< label slot and its trilinear weight; empty: no layer reads labels
+};
+
+/// Measures what the plan's layers read, and nothing else.
+SampleFacts sampleFacts(const RenderPlan& plan, const Ray& ray, double positionMm, double value);
 
 /// Colour and opacity of one layer at one sample.
 struct LayerSample {
@@ -19,13 +37,11 @@ struct LayerSample {
     double opacity = 0; ///< of the plan's reference length
 };
 
-/// Whether a layer's colour or opacity depends on the normal.
-bool readsNormal(const PlanLayer& layer);
-
 /// Opacity of the reference length at a data value, the layer's own included, before any directional one; in [0, 1].
+/// For layers whose transfer function has one dimension, over the value.
 double opacityOf(const PlanLayer& layer, double value);
 
-/// The full law at a value: `opacity` is opacityOf(layer, value).
-LayerSample shadeLayer(const PlanLayer& layer, double value, double opacity, const SurfaceSample& surface);
+/// The full law.
+LayerSample shadeLayer(const RenderPlan& plan, const PlanLayer& layer, const SampleFacts& facts);
 
 } // namespace limner::reference

@@ -19,9 +19,7 @@ using Gathered = optics::Accumulated<double>;
 /// Marches the rays of one plan: double precision, exact evaluation, every sample taken.
 class Marcher {
   public:
-    explicit Marcher(const RenderPlan& plan)
-        : plan_(plan), volume_(*plan.volume),
-          readsNormals_(std::any_of(plan.layers.begin(), plan.layers.end(), reference::readsNormal)) {}
+    explicit Marcher(const RenderPlan& plan) : plan_(plan) {}
 
     struct Counts {
         std::uint64_t samples = 0;
@@ -61,34 +59,31 @@ class Marcher {
     /// All layers at one sample, each composited after the other.
     Gathered behind(Gathered gathered, const reference::Ray& ray, const reference::Segment& segment,
                     Counts& counts) const {
-        const glm::dvec3 position = ray.positionVoxel(segment.positionMm);
-        const double value = volume_.valueFromStored(reference::storedAt(volume_, position));
-        reference::SurfaceSample surface;
-        bool shaded = false;
+        const double value = reference::valueAt(plan_, ray.positionVoxel(segment.positionMm));
+        if (!mayShow(value)) {
+            return gathered;
+        }
+        ++counts.shaded;
+        const reference::SampleFacts facts = reference::sampleFacts(plan_, ray, segment.positionMm, value);
         for (const PlanLayer& layer : plan_.layers) {
-            const double opacity = reference::opacityOf(layer, value);
-            if (!(opacity > 0)) {
-                continue;
+            const reference::LayerSample sample = reference::shadeLayer(plan_, layer, facts);
+            if (sample.opacity > 0) {
+                gathered = optics::compositeBehind(
+                    gathered, sample.colour,
+                    optics::opacityOfLength(sample.opacity, segment.lengthMm / plan_.referenceLengthMm));
             }
-            if (!shaded) {
-                shaded = true;
-                ++counts.shaded;
-                if (readsNormals_) {
-                    surface =
-                        reference::surfaceSample(plan_, reference::indexGradient(volume_, position), ray.directionEye);
-                }
-            }
-            const reference::LayerSample sample = reference::shadeLayer(layer, value, opacity, surface);
-            gathered = optics::compositeBehind(
-                gathered, sample.colour,
-                optics::opacityOfLength(sample.opacity, segment.lengthMm / plan_.referenceLengthMm));
         }
         return gathered;
     }
 
+    /// Whether any layer can show at a value: false only where it is certain and cheap to tell.
+    [[nodiscard]] bool mayShow(double value) const {
+        return std::any_of(plan_.layers.begin(), plan_.layers.end(), [value](const PlanLayer& layer) {
+            return !opacityByValue(layer) || reference::opacityOf(layer, value) > 0;
+        });
+    }
+
     const RenderPlan& plan_;
-    const Volume& volume_;
-    bool readsNormals_;
 };
 
 class ReferenceBackend final : public Backend {

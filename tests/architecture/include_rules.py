@@ -44,6 +44,7 @@ RULES = {
     "core/figure": (("core",), {"glm"}, {"tbb", "json", "files"}),
     "core/project": (("core",), {"glm"}, {"json", "zip", "zlib", "openssl", "oiio", "system", "files"}),
     "renderer": (("core", "renderer"), {"glm"}, {"tbb", "hwy"}),
+    "renderer/accuracy": (("core", "renderer"), {"glm"}, {"tbb", "json", "files"}),
     "renderer/cpu": (("core", "renderer"), {"glm", "hwy"}, {"tbb"}),
     "renderer/gl": (("core", "renderer"), {"glm"}, {"gl", "tbb"}),
     "renderer/export": (("core", "renderer"), {"glm"}, {"tbb", "oiio", "lcms", "qt", "system", "files"}),

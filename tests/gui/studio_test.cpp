@@ -2,9 +2,13 @@
 #include "app/studio/main_window.h"
 
 #include "app/studio/studio_theme.h"
+#include "core/project/archive.h"
+#include "core/project/embedded_volume.h"
 #include "core/volume/phantom.h"
-#include "support/qt_events.h"
+#include "support/make_volume.h"
+#include "support/qt/qt_events.h"
 #include "support/test_data.h"
+#include "widgets/label_list.h"
 #include "widgets/layer_list.h"
 #include "widgets/notice_bar.h"
 #include "widgets/style_gallery.h"
@@ -112,6 +116,32 @@ TEST(Studio, TheActionTableIsWhole) {
             shortcuts << action->shortcut().toString();
     }
     EXPECT_EQ(shortcuts.removeDuplicates(), 0);
+}
+
+/// Labels come to the open scan as a step that can be undone, and the list under the layers has them.
+TEST(Studio, OpensLabelsForTheScan) {
+    Studio studio;
+    EXPECT_FALSE(studio.window->actions().at("file.open-labels")->isEnabled());
+    ASSERT_TRUE(studio.openSample());
+    Grid coarse = studio.figure().volume->data->grid();
+    coarse.dims /= 8;
+    coarse.spacingMm *= 8.0;
+    const auto halves = testing::makeVolume<std::int16_t>(
+        coarse, VoxelType::int16, [&](glm::ivec3 v) { return v.x < coarse.dims.x / 2 ? 3 : 8; });
+    const TemporaryFolder folder;
+    Task task;
+    writeNrrd(*halves, folder.path() / "halves.nrrd", task);
+    const auto layers = studio.figure().layers;
+    studio.window->openLabelsPath(folder.path() / "halves.nrrd");
+    ASSERT_TRUE(pumpUntil([&] { return studio.figure().labels.has_value(); }));
+    EXPECT_EQ(studio.figure().layers, layers);
+    EXPECT_TRUE(pumpUntil([&] { return studio.window->labels().list()->count() == 2; }));
+    studio.window->labels().list()->item(1)->setCheckState(Qt::Unchecked);
+    EXPECT_EQ(studio.figure().layers[0].labels, std::vector<int>{3});
+    studio.trigger("edit.undo");
+    studio.trigger("edit.undo");
+    EXPECT_FALSE(studio.figure().labels);
+    EXPECT_TRUE(studio.window->labels().isHidden());
 }
 
 /// A preset keeps the camera.

@@ -52,8 +52,8 @@ void expectError(std::vector<std::string> arguments, int code, const std::string
 
 TEST(Program, HelpOfEveryCommandHasExamplesAndEndsWell) {
     const std::vector<std::vector<std::string>> commands{
-        {},          {"render"},        {"new"},           {"info"},          {"validate"},
-        {"explain"}, {"style", "list"}, {"theme", "list"}, {"preset", "list"}};
+        {},          {"render"},    {"new"},           {"info"},          {"validate"},
+        {"explain"}, {"self-test"}, {"style", "list"}, {"theme", "list"}, {"preset", "list"}};
     for (auto arguments : commands) {
         arguments.emplace_back("--help");
         const ProgramRun help = run(arguments);

@@ -70,6 +70,47 @@ TEST(FigureJson, ReadsAndWritesEveryKeyOfTheSpecificationsExample) {
     EXPECT_EQ(writeFigure(readFigure(text, "again")), text);
 }
 
+TEST(FigureJson, PlanesTexturesAndLabelColoursComeBackAsTheyWere) {
+    Figure figure;
+    figure.labels.emplace().colours = {{"1", "#ff0000"}, {"12", "#00ff7f"}};
+    StyleEntry& style = figure.styles.emplace_back();
+    style.id = "marble";
+    style.file = "bundled:marble";
+    style.role = "bone";
+    style.texture = StyleTexture{"styles/veins.png", 12.5, 0.75, nullptr};
+    Layer& layer = figure.layers.emplace_back();
+    layer.contours.emplace().curvature = CurvatureEstimator::normals;
+    layer.transfer.kind = TransferKind::twoDimensional;
+    layer.transfer.axes = {"distance", "label"};
+    layer.transfer.grid = TransferGrid{{0, 40}, {-1, 3}, {{"marble", "#102030"}, {"#ffffff", "marble"}}};
+    layer.transfer.opacity = {{0, 1}, {40, 0.5}};
+    layer.transfer.opacity2d = {{"mask", {0, 40}, {-1, 3}, 0.5, 0, 2, {0, 0.25, 1, 0.5}},
+                                {"polygon", {0, 10, 5}, {-1, 3, 3}, 1, 0.125, 0, {}}};
+    layer.transfer.distance = DistanceOrigin{glm::dvec3(1, -2, 3.5), 0};
+    figure.layers.push_back(layer);
+    figure.layers[1].transfer.distance = DistanceOrigin{std::nullopt, 4};
+    figure.layers.emplace_back().transfer.axis = "curvature";
+    figure.quality.interpolation = Interpolation::smooth;
+    std::vector<Problem> notes;
+    const std::string text = writeFigure(figure);
+    EXPECT_EQ(readFigure(text, "", &notes), figure);
+    EXPECT_TRUE(notes.empty()) << notes.front().pointer;
+    const Json written = Json::parse(text);
+    const Json& transfer = written["layers"][0]["transfer"];
+    EXPECT_EQ(transfer["nodes"]["styles"][0][1], "#102030");
+    EXPECT_EQ(transfer["opacity_2d"][0]["columns"], 2);
+    EXPECT_EQ(transfer["opacity_2d"][0]["values"], Json::parse("[0, 0.25, 1, 0.5]"));
+    EXPECT_FALSE(transfer["opacity_2d"][1].contains("columns"));
+    EXPECT_EQ(transfer["distance"]["from_mm"], Json::parse("[1, -2, 3.5]"));
+    EXPECT_EQ(written["layers"][1]["transfer"]["distance"]["label"], 4);
+    EXPECT_EQ(written["layers"][2]["transfer"]["axis"], "curvature");
+    EXPECT_EQ(written["styles"][0]["texture"]["size_mm"], 12.5);
+    EXPECT_EQ(written["labels"]["colours"]["12"], "#00ff7f");
+    EXPECT_NE(readError(R"({"limner": 1, "layers": [{"transfer": {"kind": "2d", "axes": ["value", "smell"]}}]})")
+                  .find("/layers/0/transfer/axes/1"),
+              std::string::npos);
+}
+
 TEST(FigureJson, KeysStandInTheDocumentsOrder) {
     const auto written = nlohmann::ordered_json::parse(writeFigure(readFigure(exampleText(), "")));
     const auto example = nlohmann::ordered_json::parse(exampleText());

@@ -4,6 +4,7 @@
 #include "core/figure/figure_json.h"
 #include "core/figure/presets.h"
 #include "core/volume/phantom.h"
+#include "support/make_volume.h"
 
 #include <gtest/gtest.h>
 
@@ -118,9 +119,12 @@ TEST(Themes, TheLastOneCounts) {
 
 TEST(Themes, EveryPresetTakesThem) {
     const std::shared_ptr<const Volume> head = makeHeadPhantom(48);
+    LabelReference labels; // for the preset that needs them
+    labels.data =
+        testing::makeVolume<std::uint8_t>(head->grid(), VoxelType::uint8, [](glm::ivec3 v) { return v.x / 24; });
     for (const PresetCard& preset : bundledPresets()) {
         std::vector<std::string> notes;
-        const Figure figure = figureFromPreset(preset.id, head, notes);
+        const Figure figure = figureFromPreset(preset.id, head, notes, labels);
         notes.clear();
         const Figure themed = withTheme(figure, "haeckel", notes);
         EXPECT_TRUE(notes.empty()) << preset.id << ": " << notes.front();

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <span>
 
@@ -123,14 +124,127 @@ TEST(Validate, FaultsOfStylesAndLayersAreFatal) {
     expectFatal(cases);
 }
 
+/// A figure without a fault whose layer has two axes and one shape of each kind.
+Figure planeFigure() {
+    Figure figure = soundFigure();
+    Transfer& transfer = figure.layers[0].transfer;
+    transfer.kind = TransferKind::twoDimensional;
+    transfer.axes = {"value", "gradient"};
+    transfer.nodes.clear();
+    transfer.grid = TransferGrid{{0, 1}, {0}, {{"ivory", "#a0b0C0"}}};
+    transfer.opacity.clear();
+    transfer.opacity2d = {{"rectangle", {0, 1}, {0, 0}, 1, 0, 0, {}},
+                          {"trapezoid", {0, 0, 1, 1}, {0, 1, 2, 3}, 1, 0, 0, {}},
+                          {"ellipse", {0, 1}, {0, 1}, 1, 0, 0, {}},
+                          {"polygon", {0, 1, 0}, {0, 0, 1}, 1, 0, 0, {}},
+                          {"mask", {0, 1}, {0, 1}, 1, 0, 2, {0, 0.5, 1, 1}}};
+    return figure;
+}
+
+TEST(Validate, SoundPlanesHaveNoFault) {
+    const std::vector<Problem> problems = validateFigure(planeFigure());
+    for (const Problem& problem : problems) {
+        EXPECT_FALSE(problem.fatal) << problem.pointer << ": " << problem.why;
+        EXPECT_EQ(problem.pointer.find("opacity"), std::string::npos) << problem.pointer;
+    }
+}
+
+TEST(Validate, FaultsOfShapesAreFatal) {
+    using ShapeEdit = std::function<void(std::vector<OpacityShape>&)>;
+    const std::pair<const char*, ShapeEdit> shapes[] = {
+        {"/0/shape", [](auto& s) { s[0].shape = "blob"; }},
+        {"/0/x", [](auto& s) { s[0].x = {1}; }},
+        {"/0/y",
+         [](auto& s) {
+             s[0].y = {1, 2, 3};
+         }},
+        {"/0/x/1",
+         [](auto& s) {
+             s[0].x = {1, 0};
+         }},
+        {"/1/x",
+         [](auto& s) {
+             s[1].x = {0, 1};
+         }},
+        {"/1/y/3", [](auto& s) { s[1].y[3] = 1.5; }},
+        {"/2/x", [](auto& s) { s[2].x = {}; }},
+        {"/2/y/1", [](auto& s) { s[2].y[1] = -1; }},
+        {"/3/x",
+         [](auto& s) {
+             s[3].x = s[3].y = {0, 1};
+         }},
+        {"/3/y", [](auto& s) { s[3].y.push_back(1); }},
+        {"/3/y/2", [](auto& s) { s[3].y[2] = std::nan(""); }},
+        {"/4/columns", [](auto& s) { s[4].columns = 0; }},
+        {"/4/values", [](auto& s) { s[4].columns = 3; }},
+        {"/4/values", [](auto& s) { s[4].values.clear(); }},
+        {"/4/values/1", [](auto& s) { s[4].values[1] = 1.5; }},
+        {"/2/opacity", [](auto& s) { s[2].opacity = -0.5; }},
+        {"/2/soft", [](auto& s) { s[2].soft = 2; }},
+    };
+    for (const auto& [place, edit] : shapes) {
+        Figure figure = planeFigure();
+        edit(figure.layers[0].transfer.opacity2d);
+        EXPECT_TRUE(hasProblem(figure, std::string("/layers/0/transfer/opacity_2d") + place, true)) << place;
+    }
+}
+
+TEST(Validate, FaultsOfPlanesAreFatal) {
+    const std::pair<const char*, std::function<void(Transfer&)>> parts[] = {
+        {"/axes/0", [](Transfer& t) { t.axes[0] = "smell"; }},
+        {"/axes/1", [](Transfer& t) { t.axes[1] = "value"; }},
+        {"/distance", [](Transfer& t) { t.axes[1] = "distance"; }},
+        {"/nodes/styles/0/1", [](Transfer& t) { t.grid->styles[0][1] = "#12"; }},
+        {"/nodes/styles/0/0", [](Transfer& t) { t.grid->styles[0][0] = "iovry"; }},
+        {"/opacity/0/1",
+         [](Transfer& t) {
+             t.opacity = {{0, 2}};
+         }},
+    };
+    for (const auto& [place, edit] : parts) {
+        Figure figure = planeFigure();
+        edit(figure.layers[0].transfer);
+        EXPECT_TRUE(hasProblem(figure, std::string("/layers/0/transfer") + place, true)) << place;
+    }
+    const Case others[] = {
+        {"/layers/0/transfer/axis", [](Figure& f) { f.layers[0].transfer.axis = "smell"; }},
+        {"/layers/0/transfer/distance", [](Figure& f) { f.layers[0].transfer.axis = "distance"; }},
+        {"/styles/0/texture/file", [](Figure& f) { f.styles[0].texture.emplace(); }},
+    };
+    expectFatal(others);
+}
+
+TEST(Validate, WhatAnAxisNeedsIsSaid) {
+    const std::pair<const char*, Edit> cases[] = {
+        {"/axes/1", [](Figure& f) { f.layers[0].transfer.axes[1] = "label"; }},
+        {"/axes/1", [](Figure& f) { f.layers[0].transfer.axes[1] = "second"; }},
+        {"/distance/label",
+         [](Figure& f) {
+             f.layers[0].transfer.axes[1] = "distance";
+             f.layers[0].transfer.distance.emplace();
+         }},
+        {"/opacity_2d", [](Figure& f) { f.layers[0].transfer.opacity2d.clear(); }},
+    };
+    for (const auto& [place, edit] : cases) {
+        Figure figure = planeFigure();
+        edit(figure);
+        const std::string pointer = std::string("/layers/0/transfer") + place;
+        EXPECT_TRUE(hasProblem(figure, pointer, false)) << pointer;
+        figure.labels.emplace();
+        figure.secondVolume.emplace();
+        figure.layers[0].transfer.opacity = {{0, 1}};
+        EXPECT_FALSE(hasProblem(figure, pointer, false)) << pointer;
+    }
+    Figure point = planeFigure();
+    point.layers[0].transfer.axes[1] = "distance";
+    point.layers[0].transfer.distance.emplace().fromMm = glm::dvec3(1, 2, 3);
+    EXPECT_FALSE(hasProblem(point, "/layers/0/transfer/distance/label", false));
+}
+
 TEST(Validate, PartsThatAreNotDrawnAreSaid) {
     const std::pair<const char*, Edit> cases[] = {
-        {"/labels", [](Figure& f) { f.labels.emplace(); }},
-        {"/second_volume", [](Figure& f) { f.secondVolume.emplace(); }},
-        {"/layers/0/transfer/kind", [](Figure& f) { f.layers[0].transfer.kind = TransferKind::twoDimensional; }},
-        {"/layers/0/transfer/axis", [](Figure& f) { f.layers[0].transfer.axis = "gradient"; }},
-        {"/layers/0/contours", [](Figure& f) { f.layers[0].contours.emplace(); }},
-        {"/layers/0/transparency", [](Figure& f) { f.layers[0].transparency = Transparency::illustrative; }},
+        {"/layers/0/transfer", [](Figure& f) { f.layers[0].transfer.axis = "importance"; }},
+        {"/styles/0/texture", [](Figure& f) { f.styles[0].texture.emplace().file = "bundled:paper"; }},
         {"/layers/0/tone", [](Figure& f) { f.layers[0].tone.emplace(); }},
         {"/layers/0/silhouette", [](Figure& f) { f.layers[0].silhouette.emplace(); }},
         {"/layers/0/specular", [](Figure& f) { f.layers[0].specular.emplace(); }},
@@ -138,12 +252,9 @@ TEST(Validate, PartsThatAreNotDrawnAreSaid) {
         {"/layers/0/line_gradient_opacity", [](Figure& f) { f.layers[0].lineGradientOpacity.emplace(); }},
         {"/layers/0/position", [](Figure& f) { f.layers[0].position.emplace(); }},
         {"/layers/0/depth_of_field", [](Figure& f) { f.layers[0].depthOfField.emplace(); }},
-        {"/layers/0/labels", [](Figure& f) { f.layers[0].labels.emplace(); }},
         {"/importance", [](Figure& f) { f.importance.emplace(); }},
         {"/stipple", [](Figure& f) { f.stipple.emplace(); }},
         {"/annotations", [](Figure& f) { f.annotations.emplace_back(); }},
-        {"/quality/gradient", [](Figure& f) { f.quality.gradient = GradientEstimator::sobel; }},
-        {"/quality/interpolation", [](Figure& f) { f.quality.interpolation = Interpolation::tricubic; }},
         {"/quality/tolerance", [](Figure& f) { f.quality.tolerance = 0.01; }},
     };
     for (const auto& [pointer, edit] : cases) {
@@ -155,7 +266,7 @@ TEST(Validate, PartsThatAreNotDrawnAreSaid) {
         EXPECT_TRUE(hasProblem(figure, pointer, false)) << pointer;
     }
     Figure hidden = soundFigure();
-    hidden.layers[0].contours.emplace();
+    hidden.layers[0].tone.emplace();
     hidden.layers[0].visible = false;
     EXPECT_TRUE(partsNotDrawn(hidden).empty());
 }

@@ -165,6 +165,71 @@ TEST(Project, BareFiguresAreSavedWithTheirStylesBeside) {
     EXPECT_TRUE(fs::exists(folder.path() / "styles/own_style.png"));
 }
 
+std::shared_ptr<const TextureTile> gradedTile() {
+    std::vector<Rgba> pixels;
+    for (int i = 0; i < 256; ++i) {
+        pixels.push_back({static_cast<float>(i) / 128, 1, 0.25F, 1});
+    }
+    return std::make_shared<const TextureTile>(16, pixels);
+}
+
+TEST(Project, TexturesGoWithTheirStyles) {
+    const TemporaryFolder folder;
+    Task task;
+    Document document;
+    document.figure = smallFigure();
+    document.figure.styles = {gradedStyle(), gradedStyle()};
+    document.figure.styles[0].texture = StyleTexture{"from/elsewhere.png", 12, 0.5, gradedTile()};
+    document.figure.styles[1].id = "second";
+    document.figure.styles[1].file = "bundled:ivory-bone";
+    document.figure.styles[1].texture = StyleTexture{"", 8, 1, gradedTile()};
+    for (const char* name : {"figure.limner", "figure.json"}) {
+        const fs::path path = folder.path() / name;
+        saveDocument(document, path, {}, task);
+        const Document again = openDocument(path, "", {}, task);
+        ASSERT_EQ(again.figure.styles.size(), 2u);
+        for (const StyleEntry& style : again.figure.styles) {
+            ASSERT_TRUE(style.texture.has_value());
+            ASSERT_NE(style.texture->tile, nullptr) << name;
+            ASSERT_EQ(style.texture->tile->size(), 16);
+            for (std::size_t i = 0; i < 256; ++i) {
+                EXPECT_NEAR(style.texture->tile->pixels()[i].r, static_cast<double>(i) / 128, 2 / 65535.0);
+            }
+        }
+        EXPECT_EQ(again.figure.styles[0].texture->file, "styles/own_style-texture.png");
+        EXPECT_EQ(again.figure.styles[0].texture->sizeMm, 12);
+        EXPECT_EQ(again.figure.styles[1].file, "bundled:ivory-bone");
+        EXPECT_EQ(again.figure.styles[1].texture->file, "styles/second-texture.png");
+        // Saved once more, the pictures go along as they are.
+        const fs::path copy = folder.path() / (std::string("copy-") + name);
+        saveDocument(again, copy, {}, task);
+        const Document third = openDocument(copy, "", {}, task);
+        EXPECT_EQ(third.figure.styles[0].texture->file, again.figure.styles[0].texture->file);
+        ASSERT_NE(third.figure.styles[0].texture->tile, nullptr);
+        EXPECT_EQ(third.figure.styles[0].texture->tile->pixels(), again.figure.styles[0].texture->tile->pixels());
+    }
+}
+
+TEST(Project, MissingTexturesAreNotesAndStay) {
+    const TemporaryFolder folder;
+    Task task;
+    Document document;
+    document.figure = smallFigure();
+    document.figure.styles = {gradedStyle(), gradedStyle()};
+    document.figure.styles[0].texture = StyleTexture{"gone.png", 12, 0.5, nullptr};
+    document.figure.styles[1].id = "second";
+    document.figure.styles[1].texture = StyleTexture{"bundled:no-such-thing", 12, 0.5, nullptr};
+    saveDocument(document, folder.path() / "figure.limner", {}, task);
+    const Document again = openDocument(folder.path() / "figure.limner", "", {}, task);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const std::string& file = document.figure.styles[i].texture->file;
+        EXPECT_EQ(again.figure.styles[i].texture, document.figure.styles[i].texture);
+        EXPECT_TRUE(std::any_of(again.notes.begin(), again.notes.end(), [&](const std::string& note) {
+            return note.find("texture") != std::string::npos && note.find(file) != std::string::npos;
+        })) << file;
+    }
+}
+
 TEST(Project, ScansAreFoundBesideTheProjectAndCheckedForChange) {
     const TemporaryFolder folder;
     Task task;

@@ -1,5 +1,6 @@
-// The bundled texture tiles as pictures: what lies in the folder, not how it is read.
+// The bundled texture tiles: the pictures in the folder, read apart from the program, and that the program finds them.
 #include "core/base/resources.h"
+#include "core/style/texture_tile.h"
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <string>
 #include <vector>
 
 namespace limner {
@@ -108,6 +110,22 @@ TEST(TexturePictures, CardsSayWhatTheyAreAndWhoseTheyAre) {
         EXPECT_FALSE(card.at("tags").empty()) << path;
         EXPECT_GT(card.at("size_mm"), 0) << path;
     }
+}
+
+TEST(TexturePictures, AreFoundByTheirIds) {
+    const std::vector<std::string> ids{"canvas", "hatching",   "laid-paper", "leather", "marble",
+                                       "paper",  "skin-pores", "spongiosa",  "stipple", "wood"};
+    EXPECT_EQ(cards().size(), ids.size());
+    for (const std::string& id : ids) {
+        const auto found = findBundledTexture(id);
+        ASSERT_NE(found, nullptr) << id;
+        const Tile tile = readTile(resourcesFolder() / "textures" / (id + ".json"));
+        ASSERT_EQ(found->pixels().size(), tile.grey.size()) << id;
+        for (std::size_t i = 0; i < tile.grey.size(); ++i) {
+            ASSERT_NEAR(found->pixels()[i].r, 2 * tile.grey[i], 1e-6) << id << " " << i;
+        }
+    }
+    EXPECT_EQ(findBundledTexture("none"), nullptr);
 }
 
 } // namespace

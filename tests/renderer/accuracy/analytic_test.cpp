@@ -222,6 +222,8 @@ FieldErrors marschnerLobbErrors(int voxels, int slices) {
     grid.dims.z = slices;
     grid.originMm.z = -grid.spacingMm.z * (slices - 1) / 2;
     const auto volume = sampleField(grid, [&](const glm::dvec3& mm) { return signal.value(mm); });
+    RenderPlan plan; // trilinear, central
+    plan.volume = plan.field = plan.gradientField = volume;
     FieldErrors errors;
     std::mt19937 random(6);
     const auto cell = [&](int count) { return std::uniform_int_distribution<int>(0, count - 2)(random); };
@@ -230,14 +232,14 @@ FieldErrors marschnerLobbErrors(int voxels, int slices) {
     for (int i = 0; i < count; ++i) {
         const glm::dvec3 voxel = glm::dvec3(cell(voxels), cell(voxels), cell(slices)) + glm::dvec3(0.5);
         const glm::dvec3 mm = grid.mmFromVoxel(voxel);
-        const double value = volume->valueFromStored(reference::storedAt(*volume, voxel));
+        const double value = reference::valueAt(plan, voxel);
         errors.value += std::pow(value - signal.value(mm), 2) / count;
         if (glm::any(glm::lessThan(voxel, glm::dvec3(1))) ||
             glm::any(glm::greaterThan(voxel, glm::dvec3(grid.dims - 2)))) {
             continue;
         }
         ++inner;
-        const glm::dvec3 g = reference::indexGradient(*volume, voxel) * volume->contents().slope / grid.spacingMm;
+        const glm::dvec3 g = reference::indexGradient(plan, voxel) * volume->contents().slope / grid.spacingMm;
         const glm::dvec3 expected = signal.gradient(mm);
         errors.gradient += glm::dot(g - expected, g - expected);
         const double angle = std::atan2(glm::length(glm::cross(g, expected)), glm::dot(g, expected));

@@ -16,7 +16,17 @@ std::shared_ptr<const LitSphere> makeSphere(int size, const std::vector<Rgba>& c
 }
 
 Rgba texel(const StyleAtlas& atlas, std::size_t i) {
-    const auto unit = [&](std::size_t channel) { return static_cast<float>(atlas.texels[4 * i + channel]) / 32767; };
+    const auto unit = [&](std::size_t channel) {
+        return static_cast<float>(atlas.texels[StyleAtlas::kPerTexel * i + 2 * channel]) / 32767;
+    };
+    return {unit(0), unit(1), unit(2), unit(3)};
+}
+
+/// The right neighbour that a texel is stored with.
+Rgba neighbour(const StyleAtlas& atlas, std::size_t i) {
+    const auto unit = [&](std::size_t channel) {
+        return static_cast<float>(atlas.texels[StyleAtlas::kPerTexel * i + 2 * channel + 1]) / 32767;
+    };
     return {unit(0), unit(1), unit(2), unit(3)};
 }
 
@@ -37,7 +47,7 @@ TEST(StyleAtlas, PackingKeepsEveryToneToItsLastBit) {
     ASSERT_EQ(atlas->size, 512);
     ASSERT_EQ(atlas->slots, 1);
     EXPECT_FALSE(atlas->directionalOpacity);
-    EXPECT_EQ(atlas->texels.size(), 4 * (texelsOf(*atlas) + 512 + 1));
+    EXPECT_EQ(atlas->texels.size(), StyleAtlas::kPerTexel * (texelsOf(*atlas) + 512 + 1));
     for (std::size_t i = 0; i < texelsOf(*atlas); ++i) {
         const Rgba wanted = sphere->pixels()[i];
         const Rgba got = texel(*atlas, i);
@@ -45,6 +55,7 @@ TEST(StyleAtlas, PackingKeepsEveryToneToItsLastBit) {
         ASSERT_NEAR(got.g, wanted.g, kHalfStep) << i;
         ASSERT_NEAR(got.b, wanted.b, kHalfStep) << i;
         ASSERT_EQ(got.a, 1) << i;
+        ASSERT_EQ(neighbour(*atlas, i), texel(*atlas, i % 512 < 511 ? i + 1 : i)) << i;
     }
 }
 

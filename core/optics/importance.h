@@ -1,0 +1,86 @@
+#if defined(LIMNER_CORE_OPTICS_IMPORTANCE_H) == defined(HWY_TARGET_TOGGLE) // see scalar.h
+#ifdef LIMNER_CORE_OPTICS_IMPORTANCE_H
+#undef LIMNER_CORE_OPTICS_IMPORTANCE_H
+#else
+#define LIMNER_CORE_OPTICS_IMPORTANCE_H
+#endif
+
+#include "core/optics/opacity.h"
+#include "core/optics/scalar.h"
+
+// Importance-aware composition (paper 001, de Moura Pinto and Freitas 2010; spec importance-composition.md; numerics.md
+// 2c): the stable form, the same function as the published one.
+//
+//   c, a     colour (not multiplied by a) and opacity gathered so far
+//   I        importance so far, Iref + ln e; Iref is the greatest met, e is in (0, 1]
+//   as, Is   opacity of a sample (corrected for the step) and its importance
+//   k        share of the colour so far that a sample leaves
+
+LIMNER_OPTICS_BEGIN
+
+/// State of a ray. (No initial values here: a constructor that the compiler makes knows nothing of instruction sets.)
+template <typename T>
+struct ImportanceState {
+    Colour<T> colour; ///< c
+    T opacity;        ///< a
+    T share;          ///< e
+    T reference;      ///< Iref
+};
+
+/// Where a ray begins. Importance starts at 0: part of the format, it shows in the picture.
+template <typename T>
+ImportanceState<T> startOfRay() {
+    return {{T(0), T(0), T(0)}, T(0), T(1), T(0)};
+}
+
+/// The ray after one more sample. A sample without opacity (or whose opacity is no number) changes nothing. All values
+/// are convex combinations: nothing overflows, nothing divides 0 by 0.
+template <typename T>
+ImportanceState<T> withSample(const ImportanceState<T>& ray, const Colour<T>& colour, const T& opacity,
+                              const T& importance) {
+    const auto visible = opacity > T(0);
+    const T alpha = select(visible, min(T(1), opacity), T(0));
+    const auto rises = importance > ray.reference;
+    const T fall = exp(-abs(importance - ray.reference));
+    const T before = ray.share * select(rises, fall, T(1));
+    const T sample = select(rises, T(1), fall); // e^(Is - Iref)
+    const T share = before + alpha * max(T(0), sample - before);
+    const T whole = ray.opacity + (T(1) - ray.opacity) * alpha;
+    const auto claims = ray.opacity * sample > before;
+    const T base = select(claims, share, whole);
+    const auto divides = base > T(0);
+    const T keep = select(claims, before, ray.opacity) / select(divides, base, T(1));
+    ImportanceState<T> next;
+    next.colour = {select(visible, mixed(colour.r, ray.colour.r, keep), ray.colour.r),
+                   select(visible, mixed(colour.g, ray.colour.g, keep), ray.colour.g),
+                   select(visible, mixed(colour.b, ray.colour.b, keep), ray.colour.b)};
+    next.opacity = whole;
+    next.share = select(visible, share, ray.share);
+    next.reference = select(visible, max(ray.reference, importance), ray.reference);
+    return next;
+}
+
+/// Premultiplied colour and opacity.
+template <typename T>
+Accumulated<T> composed(const ImportanceState<T>& ray) {
+    const T a = ray.opacity;
+    return {ray.colour.r * a, ray.colour.g * a, ray.colour.b * a, a};
+}
+
+/// I. Where e is small the two parts cancel: an absolute error of an ulp of Iref.
+template <typename T>
+T importanceSoFar(const ImportanceState<T>& ray) {
+    return ray.reference + T(kLn2) * log2(ray.share);
+}
+
+/// Share of the final colour that is certain whatever follows, a min(1, E / Emax): a ray may end where 1 less this is
+/// small enough. `ahead`: the greatest importance still to come. Opacity alone is no reason to end a ray.
+template <typename T>
+T certainShare(const ImportanceState<T>& ray, const T& ahead) {
+    // e^80 times any share that a ray can have is over 1, and float32 still has it
+    return ray.opacity * min(T(1), ray.share * exp(min(T(80), ray.reference - ahead)));
+}
+
+LIMNER_OPTICS_END
+
+#endif

@@ -1,0 +1,134 @@
+#include "core/volume/derived_fields.h"
+
+#include "core/volume/field_parts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace limner {
+
+namespace {
+
+using fields::LineBundle;
+using fields::LineFilter;
+
+/// Step of a line mirrored at the outer faces of its border voxels: -1 is 0, count is count - 1.
+int mirrored(int step, int count) {
+    const int period = 2 * count;
+    const int within = ((step % period) + period) % period;
+    return within < count ? within : period - 1 - within;
+}
+
+/// From voxels to coefficients of the cubic B-spline: the inverse of (1, 4, 1) / 6 as a causal and an anticausal
+/// recursion (Unser 1999, box 2). A backend repeats the border's coefficient outside the volume, c[-1] = c[0] and
+/// c[n] = c[n-1]. Coefficients have that very symmetry where the data are mirrored at the border voxels' faces,
+/// f[-1-k] = f[k] (not at their centres, as is usual), so both recursions start as that mirroring has it and the spline
+/// passes through the border's voxels too.
+void prefilter(const LineBundle& lines) {
+    constexpr float kPole = -0.26794919243F; // sqrt(3) - 2
+    constexpr float kGain = 6;
+    constexpr int kReach = 16; // kPole^16 < 1e-9
+    float* before = lines.outAt(0);
+    std::fill_n(before, lines.width, 0.0F);
+    for (int k = kReach; k >= 1; --k) { // the causal recursion over the mirrored voxels -kReach .. -1
+        const float* f = lines.inAt(mirrored(-k, lines.count));
+        for (int i = 0; i < lines.width; ++i) {
+            before[i] = f[i] + kPole * before[i];
+        }
+    }
+    for (int k = 0; k < lines.count; ++k) {
+        const float* previous = lines.outAt(std::max(0, k - 1));
+        const float* f = lines.inAt(k);
+        float* causal = lines.outAt(k);
+        for (int i = 0; i < lines.width; ++i) {
+            causal[i] = f[i] + kPole * previous[i];
+        }
+    }
+    // c[n] = c[n-1] in c[k] = kPole * (c[k+1] - causal[k])
+    float* last = lines.outAt(lines.count - 1);
+    for (int i = 0; i < lines.width; ++i) {
+        last[i] *= kGain * kPole / (kPole - 1);
+    }
+    for (int k = lines.count - 2; k >= 0; --k) {
+        const float* next = lines.outAt(k + 1);
+        float* c = lines.outAt(k);
+        for (int i = 0; i < lines.width; ++i) {
+            c[i] = kPole * (next[i] - kGain * c[i]);
+        }
+    }
+}
+
+/// Weights of a sampled Gaussian from its middle outwards, together (both sides) 1.
+std::vector<float> gaussianWeights(double sigma) {
+    constexpr double kReach = 4; // sigmas: what is cut off is 6e-5, of 16 bits
+    std::vector<double> exact;
+    double sum = 0;
+    for (int k = 0; k <= static_cast<int>(std::ceil(kReach * sigma)); ++k) {
+        exact.push_back(std::exp(-0.5 * (k / sigma) * (k / sigma)));
+        sum += (k == 0 ? 1 : 2) * exact.back();
+    }
+    std::vector<float> weights;
+    for (const double weight : exact) {
+        weights.push_back(static_cast<float>(weight / sum));
+    }
+    return weights;
+}
+
+/// The border voxel is repeated outside the volume.
+void convolve(const LineBundle& lines, const std::vector<float>& weights) {
+    for (int k = 0; k < lines.count; ++k) {
+        float* out = lines.outAt(k);
+        const float* middle = lines.inAt(k);
+        for (int i = 0; i < lines.width; ++i) {
+            out[i] = weights[0] * middle[i];
+        }
+        for (int t = 1; t < static_cast<int>(weights.size()); ++t) {
+            const float* a = lines.inAt(std::max(0, k - t));
+            const float* b = lines.inAt(std::min(lines.count - 1, k + t));
+            const float weight = weights[static_cast<std::size_t>(t)];
+            for (int i = 0; i < lines.width; ++i) {
+                out[i] += weight * (a[i] + b[i]);
+            }
+        }
+    }
+}
+
+std::shared_ptr<const Volume> separableField(const Volume& source, const std::array<LineFilter, 3>& filters,
+                                             Task& task) {
+    return fields::withinMemory([&] {
+        const float base = fields::storedBase(source);
+        auto field = fields::filtered(source, base, filters, task);
+        task.throwIfCancelled();
+        auto kept = fields::keptLike(source, std::move(field), base);
+        task.progress(1);
+        return kept;
+    });
+}
+
+} // namespace
+
+std::shared_ptr<const Volume> splineCoefficients(const Volume& source, Task& task) {
+    std::array<LineFilter, 3> filters;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (source.grid().dims[axis] > 1) {
+            filters[static_cast<std::size_t>(axis)] = prefilter;
+        }
+    }
+    return separableField(source, filters, task);
+}
+
+std::shared_ptr<const Volume> gaussianBlurred(const Volume& source, const glm::dvec3& sigmaVoxels, Task& task) {
+    std::array<LineFilter, 3> filters;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (sigmaVoxels[axis] > 0 && source.grid().dims[axis] > 1) {
+            filters[static_cast<std::size_t>(axis)] =
+                [weights = gaussianWeights(sigmaVoxels[axis])](const LineBundle& lines) { convolve(lines, weights); };
+        }
+    }
+    return separableField(source, filters, task);
+}
+
+} // namespace limner

@@ -1,0 +1,190 @@
+// What layers read at a sample: normal, curvature, labels; compiled once for every instruction set.
+#if defined(LIMNER_FACTS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef LIMNER_FACTS_INL_H
+#undef LIMNER_FACTS_INL_H
+#else
+#define LIMNER_FACTS_INL_H
+#endif
+
+#include "renderer/cpu/field-inl.h"
+#include "renderer/cpu/optics_lanes-inl.h"
+
+#include "core/optics/contour.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace limner::HWY_NAMESPACE {
+
+/// The unit normal in eye space, out of dense matter, and how far it can be trusted.
+struct Normal {
+    Vec3 eye;
+    Floats facing;    ///< normal . view
+    Floats magnitude; ///< of the gradient, data's unit per mm
+};
+
+HWY_INLINE Vec3 turned(const float (&rows)[3][3], const Vec3& v) {
+    const auto component = [&](const float* row) HWY_ATTR {
+        return hn::MulAdd(v.x, splat(row[0]), hn::MulAdd(v.y, splat(row[1]), hn::Mul(v.z, splat(row[2]))));
+    };
+    return {component(rows[0]), component(rows[1]), component(rows[2])};
+}
+
+/// v times the rows: the transposed matrix.
+HWY_INLINE Vec3 turnedBack(const float (&rows)[3][3], const Vec3& v) {
+    const auto component = [&](int column) HWY_ATTR {
+        return hn::MulAdd(v.x, splat(rows[0][column]),
+                          hn::MulAdd(v.y, splat(rows[1][column]), hn::Mul(v.z, splat(rows[2][column]))));
+    };
+    return {component(0), component(1), component(2)};
+}
+
+template <typename Field>
+HWY_INLINE Normal normalAt(const Field& field, const typename Field::Place& place, const Vec3& q, const Vec3& view) {
+    const Vec3 eye = turned(field.scene.eyeFromGradient, field.gradient(place, q));
+    Normal normal;
+    normal.magnitude = hn::Sqrt(dot(eye, eye));
+    // Where the gradient is zero the normal is too; 1e-18 only keeps the division defined.
+    const Floats inverse = hn::Div(splat(-1.0F), hn::Max(normal.magnitude, splat(1e-18F)));
+    normal.eye = {hn::Mul(eye.x, inverse), hn::Mul(eye.y, inverse), hn::Mul(eye.z, inverse)};
+    normal.facing = dot(normal.eye, view);
+    return normal;
+}
+
+/// How far a normal is trusted: 0 at the gradient floor, 1 from twice of it on (numerics 2a).
+HWY_INLINE Floats trust(const KernelScene& scene, Floats magnitude) {
+    const Floats floor = splat(scene.gradientFloor);
+    const Floats t =
+        hn::Min(hn::Max(hn::Div(hn::Sub(magnitude, floor), hn::Max(floor, splat(1e-30F))), splat(0)), splat(1));
+    return hn::Mul(hn::Mul(t, t), hn::NegMulAdd(splat(2), t, splat(3)));
+}
+
+/// Label slots around a sample, merged, with their trilinear weights.
+struct Members {
+    static constexpr int kMost = 8;
+    int most = 0; ///< of any lane
+    float weight[kMost][kMaxLanes];
+    std::uint8_t slot[kMost][kMaxLanes];
+};
+
+template <typename Offset>
+HWY_NOINLINE void findMembers(const std::uint8_t* labels, const CellPlace<Offset>& place, Offsets<Offset> at,
+                              Members& members) {
+    alignas(64) float f[3][kMaxLanes];
+    hn::Store(place.fx, kF, f[0]);
+    hn::Store(place.fy, kF, f[1]);
+    hn::Store(place.fz, kF, f[2]);
+    std::memset(members.weight, 0, sizeof(members.weight));
+    std::memset(members.slot, 0, sizeof(members.slot));
+    members.most = 1;
+    for (std::size_t lane = 0; lane < hn::Lanes(kF); ++lane) {
+        int count = 0;
+        for (int corner = 0; corner < 8; ++corner) {
+            const int step[3] = {corner & 1, corner >> 1 & 1, corner >> 2};
+            const std::uint8_t slot = labels[static_cast<std::int64_t>(at.at[lane]) + step[0] +
+                                             step[1] * BrickLayout::kRow + step[2] * BrickLayout::kSlice];
+            float weight = 1;
+            for (int axis = 0; axis < 3; ++axis) {
+                weight *= step[axis] == 1 ? f[axis][lane] : 1 - f[axis][lane];
+            }
+            int k = 0;
+            while (k < count && members.slot[k][lane] != slot) {
+                ++k;
+            }
+            count = k == count ? count + 1 : count;
+            members.slot[k][lane] = slot;
+            members.weight[k][lane] += weight;
+        }
+        members.most = count > members.most ? count : members.most;
+    }
+}
+
+template <typename VoxelField>
+struct Facts {
+    using Place = typename VoxelField::Place;
+
+    const VoxelField& field;
+    const Place& place;
+    Vec3 q;    ///< position, in cells
+    Vec3 view; ///< unit, eye space, towards the viewer
+    Floats tableEntry;
+    Floats part;             ///< share of a step that the sample stands for
+    Normal normal{};         ///< where some layer reads it; so are all that follow
+    Floats trusted{};        ///< 0: the normal means nothing, 1: it is sound
+    Floats unitMagnitude{};  ///< of the gradient, over the one that counts as 1
+    Floats bend{};           ///< curvature along the view by the Hessian, 1/mm
+    Floats turn{};           ///< the same by two normals on the ray
+    Floats depth = splat(1); ///< distance along the view over the target's
+    Members members{};
+
+    /// Measures what the scene's layers read, and nothing else.
+    HWY_INLINE void measure() {
+        const KernelScene& scene = field.scene;
+        if (scene.readsNormal) {
+            normal = normalAt(field, place, q, view);
+            trusted = trust(scene, normal.magnitude);
+            unitMagnitude = hn::Min(hn::Mul(normal.magnitude, splat(scene.perGradientMax)), splat(1));
+            if (scene.readsBend) {
+                bend = hn::Mul(trusted, bendAlongView());
+            }
+            if (scene.readsTurn) {
+                turn = hn::Mul(trusted, turnAlongView());
+            }
+            const float* d = scene.depthFromCell;
+            depth = hn::Add(dot(q, {splat(d[0]), splat(d[1]), splat(d[2])}), splat(d[3]));
+        }
+        if (scene.labels != nullptr) {
+            findMembers(scene.labels, place, place.template offsetsIn<1, VoxelField::kBytes>(), members);
+        }
+    }
+
+    /// Trilinear number of an int16 store laid out as the voxels, as it is kept.
+    HWY_NOINLINE Floats other(const std::uint8_t* bricks) const {
+        const auto offsets = place.template offsetsIn<2, VoxelField::kBytes>();
+        const Ints weight = pairWeights(place.fx);
+        const auto row = [&](int y, int z) HWY_ATTR {
+            const int shift = (y * BrickLayout::kRow + z * BrickLayout::kSlice) * 2;
+            return toFloat(VoxelField::blend(gatherWords(bricks + shift, offsets), weight));
+        };
+        const Floats low = lerp(row(0, 0), row(1, 0), place.fy);
+        const Floats high = lerp(row(0, 1), row(1, 1), place.fy);
+        return hn::Mul(lerp(low, high, place.fz), splat(1.0F / 32767.0F));
+    }
+
+  private:
+    /// core/optics/contour.h, curvatureAlongView.
+    HWY_NOINLINE Floats bendAlongView() const {
+        const KernelScene& scene = field.scene;
+        const Vec3 tangent = {hn::NegMulAdd(normal.facing, normal.eye.x, view.x),
+                              hn::NegMulAdd(normal.facing, normal.eye.y, view.y),
+                              hn::NegMulAdd(normal.facing, normal.eye.z, view.z)};
+        const Vec3 u = turnedBack(scene.eyeFromBend, tangent);
+        const BendSums h = field.bends(place);
+        const optics::Hessian<Lanes> hessian = {Lanes{h.xx}, Lanes{h.yy}, Lanes{h.zz},
+                                                Lanes{h.xy}, Lanes{h.xz}, Lanes{h.yz}};
+        const Lanes second = optics::quadraticForm(hessian, optics::Vector3<Lanes>{Lanes{u.x}, Lanes{u.y}, Lanes{u.z}});
+        return optics::curvatureAlongView(Lanes{hn::Mul(second.v, splat(scene.bendScale))},
+                                          Lanes{dot(tangent, tangent)}, Lanes{normal.magnitude})
+            .v;
+    }
+
+    HWY_NOINLINE Floats turnAlongView() const {
+        const KernelScene& scene = field.scene;
+        const Floats towards = splat(scene.probeMm);
+        const Vec3 step = turned(scene.cellFromEye, view);
+        const auto moved = [&](Floats from, Floats by, int axis) HWY_ATTR {
+            const Floats to = hn::MulAdd(by, towards, from);
+            return hn::Min(hn::Max(to, splat(0)), splat(scene.lastCell[axis]));
+        };
+        const Vec3 before = {moved(q.x, step.x, 0), moved(q.y, step.y, 1), moved(q.z, step.z, 2)};
+        const Place there = field.locate(before, hn::FirstN(kF, hn::Lanes(kF)));
+        const Normal other = normalAt(field, there, before, view);
+        const auto lanes = [](const Vec3& v) HWY_ATTR {
+            return optics::Vector3<Lanes>{Lanes{v.x}, Lanes{v.y}, Lanes{v.z}};
+        };
+        return optics::curvatureOfNormals(lanes(other.eye), lanes(normal.eye), Lanes{towards}).v;
+    }
+};
+
+} // namespace limner::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,352 @@
+// What a layer makes of a sample: its transfer function, contours, transparency and colour; compiled once for every
+// instruction set.
+#if defined(LIMNER_LAYER_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef LIMNER_LAYER_INL_H
+#undef LIMNER_LAYER_INL_H
+#else
+#define LIMNER_LAYER_INL_H
+#endif
+
+#include "renderer/cpu/facts-inl.h" // names the target: before the formulas
+#include "renderer/cpu/style-inl.h"
+
+#include "core/optics/contour.h"
+#include "core/optics/shading.h"
+#include "core/optics/transparency.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace limner::HWY_NAMESPACE {
+
+/// Opacity of a length from that of the reference length, or of a part of a step from that of the step.
+HWY_NOINLINE inline Floats opacityOfLength(Floats opacity, Floats ratio) {
+    const Floats almost = splat(1.0F - 1e-7F);
+    const Floats depth = hn::Mul(ratio, hn::Log1p(kF, hn::Neg(hn::Min(opacity, almost))));
+    return hn::IfThenElse(hn::Ge(opacity, almost), splat(1), hn::Neg(hn::Expm1(kF, depth)));
+}
+
+/// Of a part of a step; a whole step bit for bit, whoever else is in the vector.
+HWY_INLINE Floats opacityOfPart(Floats opacity, Floats part) {
+    return hn::IfThenElse(hn::Ge(part, splat(1)), opacity, opacityOfLength(opacity, part));
+}
+
+/// x^n for x in [0, 1], n > 0; whole exponents by repeated squaring, others by exp and log.
+HWY_NOINLINE inline Floats power(Floats x, float n) {
+    const auto whole = static_cast<unsigned>(n);
+    if (static_cast<float>(whole) != n || whole > 1024) {  // beyond, squaring costs as much as exp and log
+        const Floats positive = hn::Max(x, splat(1e-30F)); // log of 0 is not wanted; 1e-30^n is as good as 0
+        return hn::IfThenZeroElse(hn::Le(x, splat(0)), hn::Exp(kF, hn::Mul(splat(n), hn::Log(kF, positive))));
+    }
+    Floats result = splat(1);
+    Floats square = x;
+    for (unsigned bits = whole; bits != 0; bits >>= 1U) {
+        if ((bits & 1U) != 0) {
+            result = hn::Mul(result, square);
+        }
+        square = hn::Mul(square, square);
+    }
+    return result;
+}
+
+/// Evaluates one layer. Choices that hold for a whole figure are plain branches.
+template <typename Field>
+class LayerEvaluation {
+  public:
+    LayerEvaluation(const KernelScene& scene, const KernelLayer& layer) : scene_(scene), layer_(layer) {}
+
+    /// Colour of every lane, and what the sample covers of what is behind; `out`'s alpha is of no use afterwards.
+    HWY_INLINE Floats evaluate(const Facts<Field>& facts, LaneColours& out) const {
+        const Floats width = contourWidth(facts);
+        if (layer_.rowOfSlot != nullptr) {
+            return byLabels(facts, width, out);
+        }
+        if (layer_.opacityByValue) {
+            const TablePlace at(hn::MulAdd(facts.tableEntry, splat(layer_.x.scale), splat(layer_.x.bias)));
+            const Floats opacity = opacityOfPart(at.read(layer_.stepOpacity), facts.part);
+            if (!hn::AllFalse(kF, hn::Gt(opacity, splat(0)))) {
+                colour(facts, width, nodesOfLine(at), out);
+            }
+            return opacity;
+        }
+        Floats opacity = row(facts, width, splat(0), out);
+        if (layer_.shownSlots != nullptr) {
+            opacity = hn::Mul(opacity, shownShare(facts));
+        }
+        return ofStep(opacity, facts.part);
+    }
+
+    /// The colour alone, where the sample's opacity is known already.
+    HWY_INLINE void colourByValue(const Facts<Field>& facts, LaneColours& out) const {
+        const Floats width = contourWidth(facts);
+        if (layer_.shading != Shading::style && layer_.rows == 0) {
+            plainColours(facts, facts.tableEntry, width, out);
+        } else {
+            const bool single = layer_.singleSlot >= 0;
+            colour(facts, width, single ? NodeBlend{} : nodesOfLine(TablePlace(facts.tableEntry)), out);
+        }
+    }
+
+  private:
+    HWY_INLINE Floats ofStep(Floats opacity, Floats part) const {
+        return opacityOfLength(opacity, hn::Mul(splat(scene_.stepRatio), part));
+    }
+
+    /// Where contours end, |n.v|; 0: there are none.
+    HWY_INLINE Floats contourWidth(const Facts<Field>& facts) const {
+        const KernelContours& contours = layer_.contours;
+        if (!contours.on) {
+            return splat(0);
+        }
+        if (!contours.controlled) {
+            return hn::Mul(splat(contours.fixedWidth), facts.trusted);
+        }
+        const Floats curvature = contours.normals ? facts.turn : facts.bend;
+        const Floats thickness = hn::Mul(splat(contours.thicknessMm), facts.depth);
+        return optics::contourWidth(Lanes{hn::Mul(thickness, curvature)}).v;
+    }
+
+    /// In entries of the layer's table.
+    HWY_INLINE Floats axisEntry(const KernelAxis& axis, const Facts<Field>& facts) const {
+        Floats raw = facts.tableEntry;
+        switch (axis.axis) {
+        case TransferAxis::gradient: raw = facts.unitMagnitude; break;
+        case TransferAxis::curvature: raw = facts.bend; break;
+        case TransferAxis::distance:
+            raw = axis.bricks != nullptr ? facts.other(axis.bricks) : distance(axis, facts.q);
+            break;
+        case TransferAxis::second: raw = facts.other(axis.bricks); break;
+        case TransferAxis::value:
+        case TransferAxis::label:
+        case TransferAxis::importance: break;
+        }
+        const Floats entry = hn::MulAdd(raw, splat(axis.scale), splat(axis.bias));
+        return hn::Min(hn::Max(entry, splat(0)), splat(axis.last));
+    }
+
+    static HWY_INLINE Floats distance(const KernelAxis& axis, const Vec3& q) {
+        const Vec3 d = {hn::Sub(q.x, splat(axis.from[0])), hn::Sub(q.y, splat(axis.from[1])),
+                        hn::Sub(q.z, splat(axis.from[2]))};
+        const auto mm = [&](const float* m) HWY_ATTR { return dot({splat(m[0]), splat(m[1]), splat(m[2])}, d); };
+        const Vec3 v = {mm(axis.mmFromCell[0]), mm(axis.mmFromCell[1]), mm(axis.mmFromCell[2])};
+        return hn::Sqrt(dot(v, v));
+    }
+
+    /// The two nodes of a line around a fractional index.
+    HWY_INLINE NodeBlend nodesOfLine(const TablePlace& at) const {
+        const Floats index = at.read(layer_.index);
+        NodeBlend nodes;
+        nodes.node[0] = truncate(index);
+        nodes.node[1] = hn::Min(hn::Add(nodes.node[0], splatInt(1)), splatInt(layer_.lastColumn));
+        nodes.weight[1] = hn::Sub(index, toFloat(nodes.node[0]));
+        nodes.weight[0] = hn::Sub(splat(1), nodes.weight[1]);
+        nodes.count = 2;
+        return nodes;
+    }
+
+    /// The four nodes of a grid.
+    HWY_INLINE NodeBlend nodesOfGrid(Floats column, Floats rowIndex) const {
+        const auto along = [](Floats index, std::int32_t last, std::int32_t stride, Ints* node,
+                              Floats* weight) HWY_ATTR {
+            const Ints low = truncate(index);
+            node[0] = hn::Mul(low, splatInt(stride));
+            node[1] = hn::Mul(hn::Min(hn::Add(low, splatInt(1)), splatInt(last)), splatInt(stride));
+            weight[1] = hn::Sub(index, toFloat(low));
+            weight[0] = hn::Sub(splat(1), weight[1]);
+        };
+        Ints x[2], y[2];
+        Floats wx[2], wy[2];
+        along(column, layer_.lastColumn, layer_.columnStride, x, wx);
+        along(rowIndex, layer_.lastRow, layer_.nodeRowStride, y, wy);
+        NodeBlend nodes;
+        nodes.count = 4;
+        for (int i = 0; i < 4; ++i) {
+            nodes.node[i] = hn::Add(x[i & 1], y[i >> 1]);
+            nodes.weight[i] = hn::Mul(wx[i & 1], wy[i >> 1]);
+        }
+        return nodes;
+    }
+
+    /// Opacity of the reference length at a place whose row is given (label axes) or found; colours into `out`.
+    HWY_NOINLINE Floats row(const Facts<Field>& facts, Floats width, Floats rowEntry, LaneColours& out) const {
+        const TablePlace x(axisEntry(layer_.x, facts));
+        if (layer_.rows == 0) {
+            const Floats opacity = x.read(layer_.opacity);
+            colour(facts, width, nodesOfLine(x), out);
+            return transparency(facts, width, opacity, out);
+        }
+        const Floats y = layer_.rowOfSlot != nullptr ? rowEntry : axisEntry(layer_.y, facts);
+        const Ints low = truncate(y);
+        const Ints high = hn::Min(hn::Add(low, splatInt(1)), splatInt(layer_.rows - 1));
+        const Floats fraction = hn::Sub(y, toFloat(low));
+        const auto at = [&](Ints tableRow) HWY_ATTR {
+            return x.readAt(layer_.opacity2d, hn::Mul(tableRow, splatInt(layer_.rowStride)));
+        };
+        const Floats opacity = lerp(at(low), at(high), fraction);
+        if (hn::AllFalse(kF, hn::Gt(opacity, splat(0)))) {
+            return opacity;
+        }
+        const Floats rowIndex = lerp(gatherFloats(layer_.rowIndex, low), gatherFloats(layer_.rowIndex, high), fraction);
+        colour(facts, width, nodesOfGrid(x.read(layer_.index), hn::Max(rowIndex, splat(0))), out);
+        return transparency(facts, width, opacity, out);
+    }
+
+    /// Each label around the sample is a row of the table; their parts add up by opacity, so that an invisible
+    /// neighbour's colour does not bleed.
+    HWY_NOINLINE Floats byLabels(const Facts<Field>& facts, Floats width, LaneColours& out) const {
+        alignas(64) float sum[kMaxLanes * 4] = {};
+        Floats total = splat(0);
+        for (int k = 0; k < facts.members.most; ++k) {
+            LaneFloats rowOf;
+            LaneFloats weight;
+            for (std::size_t lane = 0; lane < hn::Lanes(kF); ++lane) {
+                const int slot = facts.members.slot[k][lane];
+                const bool shown = layer_.shownSlots == nullptr || layer_.shownSlots[slot] != 0;
+                const std::int16_t tableRow = layer_.rowOfSlot[slot];
+                rowOf.at[lane] = static_cast<float>(tableRow < 0 ? 0 : tableRow);
+                weight.at[lane] = shown && tableRow >= 0 ? facts.members.weight[k][lane] : 0.0F;
+            }
+            LaneColours part;
+            const Floats opacity = hn::Mul(row(facts, width, hn::Load(kF, rowOf.at), part), hn::Load(kF, weight.at));
+            if (hn::AllFalse(kF, hn::Gt(opacity, splat(0)))) {
+                continue;
+            }
+            total = hn::Add(total, opacity);
+            const LaneFloats share(opacity);
+            for (std::size_t lane = 0; lane < hn::Lanes(kF); ++lane) {
+                if (share.at[lane] > 0) {
+                    const Quad before = hn::Load(kQuad, sum + 4 * lane);
+                    hn::Store(hn::MulAdd(hn::Set(kQuad, share.at[lane]), hn::Load(kQuad, part.rgba + 4 * lane), before),
+                              kQuad, sum + 4 * lane);
+                }
+            }
+        }
+        const LaneFloats inverse(hn::Div(splat(1), hn::Max(total, splat(1e-30F))));
+        for (std::size_t lane = 0; lane < hn::Lanes(kF); ++lane) {
+            hn::Store(hn::Mul(hn::Load(kQuad, sum + 4 * lane), hn::Set(kQuad, inverse.at[lane])), kQuad,
+                      out.rgba + 4 * lane);
+        }
+        return ofStep(hn::Min(total, splat(1)), facts.part);
+    }
+
+    HWY_INLINE Floats shownShare(const Facts<Field>& facts) const {
+        LaneFloats share(splat(0));
+        for (int k = 0; k < facts.members.most; ++k) {
+            for (std::size_t lane = 0; lane < hn::Lanes(kF); ++lane) {
+                share.at[lane] +=
+                    layer_.shownSlots[facts.members.slot[k][lane]] != 0 ? facts.members.weight[k][lane] : 0.0F;
+            }
+        }
+        return hn::Load(kF, share.at);
+    }
+
+    HWY_INLINE Floats transparency(const Facts<Field>& facts, Floats width, Floats opacity,
+                                   const LaneColours& out) const {
+        Floats directional = splat(1);
+        if (layer_.directionalOpacity) {
+            Floats r, g, b;
+            hn::LoadInterleaved4(kF, out.rgba, r, g, b, directional);
+        }
+        if (!layer_.illustrative) {
+            return hn::Mul(directional, opacity);
+        }
+        const Lanes facing{hn::Min(hn::Abs(facts.normal.facing), splat(1))};
+        return optics::illustrativeOpacity(Lanes{directional}, Lanes{opacity}, facing, Lanes{width},
+                                           Lanes{facts.unitMagnitude})
+            .v;
+    }
+
+    HWY_INLINE void colour(const Facts<Field>& facts, Floats width, const NodeBlend& nodes, LaneColours& out) const {
+        if (layer_.shading != Shading::style) {
+            nodeColours(layer_.nodeColours, nodes, out);
+            shadePlain(facts, width, out);
+            return;
+        }
+        const SpherePlace place = diskPlace(facts, width);
+        if (layer_.singleSlot >= 0) {
+            NodeBlend slot;
+            slot.node[0] = splatInt(layer_.singleSlot);
+            slot.weight[0] = splat(1);
+            sphereColours(scene_.atlas, place, slot, facts.trusted, out);
+        } else {
+            sphereColours(scene_.atlas, place, slotsOf(layer_.slotOfNode, nodes), facts.trusted, out);
+        }
+    }
+
+    /// Where the normal, seen along the ray, looks on the sphere's picture.
+    HWY_INLINE SpherePlace diskPlace(const Facts<Field>& facts, Floats width) const {
+        Floats x = facts.normal.eye.x;
+        Floats y = facts.normal.eye.y;
+        if (scene_.perspective) { // the normal in the frame of the ray (spec style-transfer-functions 1)
+            const Floats k = hn::Div(hn::Add(facts.normal.facing, facts.normal.eye.z), hn::Add(splat(1), facts.view.z));
+            x = hn::NegMulAdd(facts.view.x, k, x);
+            y = hn::NegMulAdd(facts.view.y, k, y);
+        }
+        Floats stretch = splat(1);
+        if (layer_.contours.on) {
+            const Floats radius = hn::Min(hn::Sqrt(hn::MulAdd(x, x, hn::Mul(y, y))), splat(1));
+            const Floats facing = hn::Min(hn::Abs(facts.normal.facing), splat(1));
+            const Floats pushed = optics::contourPush(Lanes{radius}, Lanes{facing}, Lanes{width}).v;
+            stretch =
+                hn::IfThenElse(hn::Gt(radius, splat(0)), hn::Div(pushed, hn::Max(radius, splat(1e-20F))), stretch);
+        }
+        if (layer_.twoSided) {
+            stretch = hn::CopySign(stretch, facts.normal.facing);
+        }
+        return spherePlace(scene_.atlas, hn::Mul(x, stretch), hn::Mul(y, stretch));
+    }
+
+    /// Phong's light and the contours' ink over colours that are there already.
+    HWY_INLINE void shadePlain(const Facts<Field>& facts, Floats width, LaneColours& out) const {
+        const bool phong = layer_.shading == Shading::phong;
+        if (!phong && !layer_.contours.on) {
+            return;
+        }
+        Floats factor = splat(1);
+        Floats gloss = splat(0);
+        if (phong) {
+            const Floats lit = litPart(facts);
+            factor = hn::MulAdd(lit, splat(static_cast<float>(optics::kDiffuse)),
+                                splat(static_cast<float>(optics::kAmbient)));
+            gloss = hn::Mul(splat(layer_.specularStrength), power(lit, layer_.specularExponent));
+        }
+        const LaneFloats factors(factor);
+        const LaneFloats glosses(gloss);
+        const LaneFloats paper(uninked(facts, width));
+        for (std::size_t lane = 0; lane < hn::Lanes(kF); ++lane) {
+            const Quad c = hn::Load(kQuad, out.rgba + 4 * lane);
+            const Quad shaded = hn::MulAdd(c, hn::Set(kQuad, factors.at[lane]), hn::Set(kQuad, glosses.at[lane]));
+            hn::Store(hn::Mul(hn::Min(shaded, hn::Set(kQuad, 1.0F)), hn::Set(kQuad, paper.at[lane])), kQuad,
+                      out.rgba + 4 * lane);
+        }
+    }
+
+    HWY_INLINE Floats litPart(const Facts<Field>& facts) const {
+        const Floats facing = facts.normal.facing;
+        return hn::Min(layer_.twoSided ? hn::Abs(facing) : hn::Max(facing, splat(0)), splat(1));
+    }
+
+    /// What a contour's ink leaves of a plain colour.
+    HWY_INLINE Floats uninked(const Facts<Field>& facts, Floats width) const {
+        if (!layer_.contours.on) {
+            return splat(1);
+        }
+        const Lanes facing{hn::Abs(facts.normal.facing)};
+        return hn::Sub(splat(1), optics::contourCoverage(facing, Lanes{width}).v);
+    }
+
+    /// One dimension of plain colours: a table of colours instead of nodes.
+    HWY_INLINE void plainColours(const Facts<Field>& facts, Floats entry, Floats width, LaneColours& out) const {
+        const EntryLanes at(entry);
+        for (std::size_t lane = 0; lane < hn::Lanes(kF); ++lane) {
+            hn::Store(entryColour(layer_.colours, at.entry.at[lane], at.fraction.at[lane]), kQuad, out.rgba + 4 * lane);
+        }
+        shadePlain(facts, width, out);
+    }
+
+    const KernelScene& scene_;
+    const KernelLayer& layer_;
+};
+
+} // namespace limner::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

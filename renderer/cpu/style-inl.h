@@ -1,0 +1,215 @@
+// Colours by lit-sphere styles and by plain colours; compiled once for every instruction set.
+#if defined(LIMNER_STYLE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef LIMNER_STYLE_INL_H
+#undef LIMNER_STYLE_INL_H
+#else
+#define LIMNER_STYLE_INL_H
+#endif
+
+#include "renderer/cpu/kernel_scene.h"
+#include "renderer/cpu/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace limner::HWY_NAMESPACE {
+
+/// Colours of the lanes of a sample, RGBA one after the other: alpha is the directional opacity. From here on a lane is
+/// a vector of its own, because its table entry or texels lie side by side in memory and its pixel does too.
+struct LaneColours {
+    alignas(64) float rgba[kMaxLanes * 4];
+};
+
+using Quad = hn::Vec<hn::Simd<float, 4, 0>>;
+constexpr hn::Simd<float, 4, 0> kQuad;
+constexpr hn::Simd<std::int32_t, 4, 0> kQuadInts;
+constexpr hn::Simd<std::int16_t, 8, 0> kQuadPairs;
+
+struct LaneInts {
+    alignas(64) std::int32_t at[kMaxLanes];
+    LaneInts() = default;
+    HWY_INLINE explicit LaneInts(Ints v) { hn::Store(v, kI, at); }
+};
+struct LaneFloats {
+    alignas(64) float at[kMaxLanes];
+    LaneFloats() = default;
+    HWY_INLINE explicit LaneFloats(Floats v) { hn::Store(v, kF, at); }
+};
+
+/// One entry of a colour table and the next, interpolated.
+HWY_INLINE Quad entryColour(const float* table, std::int32_t entry, float fraction) {
+    const Quad here = hn::Load(kQuad, table + std::ptrdiff_t{4} * entry);
+    const Quad next = hn::Load(kQuad, table + std::ptrdiff_t{4} * entry + 4);
+    return hn::MulAdd(hn::Sub(next, here), hn::Set(kQuad, fraction), here);
+}
+
+/// A place in a table: whole entry and how far it is to the next.
+struct EntryLanes {
+    LaneInts entry;
+    LaneFloats fraction;
+    HWY_INLINE explicit EntryLanes(Floats tableEntry)
+        : entry(truncate(tableEntry)), fraction(hn::Sub(tableEntry, toFloat(truncate(tableEntry)))) {}
+};
+
+/// The nodes of a transfer function around a place, with their weights: one, two of a line, or four of a grid.
+struct NodeBlend {
+    Ints node[4];
+    Floats weight[4]; ///< sum 1
+    int count = 1;
+};
+
+/// Where on a sphere's picture a normal looks: the upper left of four texels, and how far it is to the others.
+struct SpherePlace {
+    Ints texel; ///< row * size + column
+    Floats right, down;
+};
+
+/// `x`, `y` on the disk, y up.
+HWY_INLINE SpherePlace spherePlace(const KernelAtlas& atlas, Floats x, Floats y) {
+    const float half = 0.5F * static_cast<float>(atlas.size);
+    const Floats last = splat(static_cast<float>(atlas.size - 1));
+    const auto inside = [&](Floats v) HWY_ATTR { return hn::Min(hn::Max(v, splat(0)), last); };
+    const Floats u = inside(hn::MulAdd(x, splat(half), splat(half - 0.5F)));
+    const Floats v = inside(hn::NegMulAdd(y, splat(half), splat(half - 0.5F)));
+    const Ints column = truncate(u);
+    const Ints row = truncate(v);
+    return {hn::Add(hn::Mul(row, splatInt(atlas.size)), column), hn::Sub(u, toFloat(column)), hn::Sub(v, toFloat(row))};
+}
+
+constexpr float kWhole = 32767.0F; ///< weight 1 of the integer interpolation
+constexpr float kUnit = 1.0F / (kWhole * kWhole);
+
+/// A whole number of parts of `whole`, for a share from 0 to 1.
+HWY_INLINE Ints shareOf(Ints whole, Floats share) { return truncate(hn::MulAdd(toFloat(whole), share, splat(0.5F))); }
+
+/// Weights of a pair of neighbours, as pairs of 16-bit numbers in one word.
+HWY_INLINE Ints pairOf(Ints whole, Floats right) {
+    const Ints second = shareOf(whole, right);
+    return hn::Or(hn::ShiftLeft<16>(second), hn::Sub(whole, second));
+}
+
+/// One sphere's texels and their weights, per lane.
+struct SphereTaps {
+    LaneInts texel; ///< of the atlas
+    LaneInts upper; ///< weights of the upper pair of texels
+    LaneInts lower;
+    HWY_INLINE void set(const KernelAtlas& atlas, const SpherePlace& place, Ints slot, Ints whole) {
+        texel = LaneInts(hn::Add(hn::Mul(slot, splatInt(atlas.size * atlas.size)), place.texel));
+        const Ints below = shareOf(whole, place.down);
+        upper = LaneInts(pairOf(hn::Sub(whole, below), place.right));
+        lower = LaneInts(pairOf(below, place.right));
+    }
+    /// Adds this sphere's part of a lane's colour, times kWhole^2: two multiply-adds of the four channels' pairs.
+    HWY_INLINE void addTo(hn::Vec<decltype(kQuadInts)>& sum, const KernelAtlas& atlas, std::size_t lane) const {
+        const std::int16_t* at = atlas.texels + std::ptrdiff_t{8} * texel.at[lane];
+        hn::Vec<decltype(kQuadInts)> rest = hn::Zero(kQuadInts);
+        const auto weights = [](std::int32_t pair)
+                                 HWY_ATTR { return hn::BitCast(kQuadPairs, hn::Set(kQuadInts, pair)); };
+        sum = hn::ReorderWidenMulAccumulate(kQuadInts, hn::Load(kQuadPairs, at), weights(upper.at[lane]), sum, rest);
+        sum = hn::ReorderWidenMulAccumulate(kQuadInts, hn::Load(kQuadPairs, at + std::ptrdiff_t{8} * atlas.size),
+                                            weights(lower.at[lane]), sum, rest);
+    }
+};
+
+template <int Count>
+HWY_INLINE void blendSpheres(const KernelAtlas& atlas, const SphereTaps* taps, LaneColours& out) {
+    for (std::size_t lane = 0; lane < hn::Lanes(kF); ++lane) {
+        hn::Vec<decltype(kQuadInts)> sum = hn::Zero(kQuadInts);
+        for (int i = 0; i < Count; ++i) {
+            taps[i].addTo(sum, atlas, lane);
+        }
+        hn::Store(hn::Mul(hn::ConvertTo(kQuad, sum), hn::Set(kQuad, kUnit)), kQuad, out.rgba + 4 * lane);
+    }
+}
+
+/// The weights of several nodes in whole numbers that add up to kWhole.
+struct WholeWeights {
+    Ints at[4];
+    HWY_INLINE explicit WholeWeights(const NodeBlend& nodes) {
+        Ints rest = splatInt(static_cast<std::int32_t>(kWhole));
+        for (int i = nodes.count - 1; i > 0; --i) {
+            at[i] = hn::Min(shareOf(splatInt(static_cast<std::int32_t>(kWhole)), nodes.weight[i]), rest);
+            rest = hn::Sub(rest, at[i]);
+        }
+        at[0] = rest;
+    }
+};
+
+/// Where a normal means little, a style shows its mean: `trusted` 0 to 1.
+HWY_NOINLINE inline void towardsMean(const KernelAtlas& atlas, const NodeBlend& slots, Floats trusted,
+                                     LaneColours& out) {
+    const LaneFloats share(trusted);
+    LaneInts slot[4];
+    LaneFloats weight[4];
+    for (int i = 0; i < slots.count; ++i) {
+        slot[i] = LaneInts(slots.node[i]);
+        weight[i] = LaneFloats(slots.weight[i]);
+    }
+    for (std::size_t lane = 0; lane < hn::Lanes(kF); ++lane) {
+        if (share.at[lane] < 1) {
+            Quad mean = hn::Zero(kQuad);
+            for (int i = 0; i < slots.count; ++i) {
+                const Quad one = hn::LoadU(kQuad, atlas.mean + std::ptrdiff_t{4} * slot[i].at[lane]);
+                mean = hn::MulAdd(hn::Set(kQuad, weight[i].at[lane]), one, mean);
+            }
+            const Quad c = hn::Load(kQuad, out.rgba + 4 * lane);
+            hn::Store(hn::MulAdd(hn::Sub(c, mean), hn::Set(kQuad, share.at[lane]), mean), kQuad, out.rgba + 4 * lane);
+        }
+    }
+}
+
+/// `sft`: the blend of the spheres in some slots of the atlas at a normal; `slots.node` are slots.
+HWY_INLINE void sphereColours(const KernelAtlas& atlas, const SpherePlace& place, const NodeBlend& slots,
+                              Floats trusted, LaneColours& out) {
+    SphereTaps taps[4];
+    const WholeWeights weights(slots);
+    for (int i = 0; i < slots.count; ++i) {
+        taps[i].set(atlas, place, slots.node[i], weights.at[i]);
+    }
+    switch (slots.count) {
+    case 1: blendSpheres<1>(atlas, taps, out); break;
+    case 2: blendSpheres<2>(atlas, taps, out); break;
+    default: blendSpheres<4>(atlas, taps, out); break;
+    }
+    if (!hn::AllTrue(kF, hn::Ge(trusted, splat(1)))) {
+        towardsMean(atlas, slots, trusted, out);
+    }
+}
+
+/// Slots of nodes. Where both nodes of a line have the same sphere, or the second has no weight, one look-up will do.
+HWY_INLINE NodeBlend slotsOf(const std::int32_t* slotOfNode, const NodeBlend& nodes) {
+    NodeBlend slots = nodes;
+    for (int i = 0; i < nodes.count; ++i) {
+        slots.node[i] = gatherAt(slotOfNode, hn::ShiftLeft<2>(nodes.node[i]));
+    }
+    if (nodes.count == 2) {
+        const Mask same = hn::RebindMask(kF, hn::Eq(slots.node[0], slots.node[1]));
+        slots.weight[1] = hn::IfThenZeroElse(same, slots.weight[1]);
+        slots.weight[0] = hn::Sub(splat(1), slots.weight[1]);
+        if (hn::AllFalse(kF, hn::Gt(slots.weight[1], splat(0)))) {
+            slots.count = 1;
+        }
+    }
+    return slots;
+}
+
+/// The blend of the plain colours of some nodes.
+HWY_INLINE void nodeColours(const float* colours, const NodeBlend& nodes, LaneColours& out) {
+    LaneInts node[4];
+    LaneFloats weight[4];
+    for (int i = 0; i < nodes.count; ++i) {
+        node[i] = LaneInts(nodes.node[i]);
+        weight[i] = LaneFloats(nodes.weight[i]);
+    }
+    for (std::size_t lane = 0; lane < hn::Lanes(kF); ++lane) {
+        Quad sum = hn::Zero(kQuad);
+        for (int i = 0; i < nodes.count; ++i) {
+            const Quad one = hn::Load(kQuad, colours + std::ptrdiff_t{4} * node[i].at[lane]);
+            sum = hn::MulAdd(hn::Set(kQuad, weight[i].at[lane]), one, sum);
+        }
+        hn::Store(sum, kQuad, out.rgba + 4 * lane);
+    }
+}
+
+} // namespace limner::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,155 @@
+#include "renderer/plan/plan_fields.h"
+
+#include "core/base/error.h"
+#include "core/volume/gradient_choice.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace limner {
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& where, const std::string& why, const std::string& remedy) {
+    throw Error(ErrorKind::badInput, {"the figure cannot be drawn", where, why, remedy});
+}
+
+const std::shared_ptr<const Volume>& labelsOf(const RenderPlan& plan) {
+    if (!plan.figure->labels || !plan.figure->labels->data) {
+        refuse("/labels", "a layer reads labels and there are none", "give the figure a label volume");
+    }
+    return plan.figure->labels->data;
+}
+
+/// Every label that a layer names gets a slot of its own; 0 is for all others.
+std::map<int, std::uint8_t> slotsOf(const RenderPlan& plan) {
+    std::map<int, std::uint8_t> slots;
+    const auto add = [&](int label) {
+        if (label >= 0 && slots.size() < std::numeric_limits<std::uint8_t>::max()) {
+            slots.emplace(label, static_cast<std::uint8_t>(slots.size() + 1));
+        } else if (label >= 0 && slots.count(label) == 0) {
+            refuse("/layers", "its layers name more than 255 labels", "name fewer of them");
+        }
+    };
+    for (const PlanLayer& layer : plan.layers) {
+        std::for_each(layer.table.labels.begin(), layer.table.labels.end(), add);
+        if (layer.source->labels) {
+            std::for_each(layer.source->labels->begin(), layer.source->labels->end(), add);
+        }
+    }
+    return slots;
+}
+
+std::vector<std::uint8_t> shownSlots(const Layer& layer, const std::map<int, std::uint8_t>& slots) {
+    std::vector<std::uint8_t> shown(std::numeric_limits<std::uint8_t>::max() + 1, 0);
+    for (const int label : *layer.labels) {
+        shown[slots.at(label)] = 1;
+    }
+    return shown;
+}
+
+std::vector<std::int16_t> rowOfSlot(const TransferTable& table, const std::map<int, std::uint8_t>& slots) {
+    const auto others = std::find(table.labels.begin(), table.labels.end(), -1);
+    const auto otherRow = static_cast<std::int16_t>(others == table.labels.end() ? -1 : others - table.labels.begin());
+    std::vector<std::int16_t> rows(std::numeric_limits<std::uint8_t>::max() + 1, otherRow);
+    for (std::size_t row = 0; row < table.labels.size(); ++row) {
+        if (table.labels[row] >= 0) {
+            rows[slots.at(table.labels[row])] = static_cast<std::int16_t>(row);
+        }
+    }
+    return rows;
+}
+
+} // namespace
+
+void PlanFields::chooseEstimators(RenderPlan& plan, Task& task) {
+    const Quality& quality = plan.figure->quality;
+    plan.interpolation = quality.interpolation;
+    if (plan.interpolation == Interpolation::automatic) {
+        plan.interpolation = hasThickSlices(plan.volume->grid()) ? Interpolation::smooth : Interpolation::linear;
+    }
+    const auto splines = [&]() -> const VolumePointer& {
+        return splines_.get(plan.volume, [&] { return splineCoefficients(*plan.volume, task); });
+    };
+    plan.field = plan.interpolation == Interpolation::tricubic ? splines() : plan.volume;
+    plan.gradient = quality.gradient;
+    if (plan.gradient == GradientEstimator::automatic) {
+        // Between voxels that a spline joins, its own derivative is the field's.
+        plan.gradient =
+            plan.interpolation != Interpolation::linear ? GradientEstimator::bspline : automatic_.get(plan.volume, [&] {
+                return characterOf(*plan.volume) == DataCharacter::clean ? GradientEstimator::bspline
+                                                                         : GradientEstimator::sobel;
+            });
+    }
+    const bool ownCoefficients =
+        plan.gradient == GradientEstimator::bspline && plan.interpolation == Interpolation::linear;
+    plan.gradientField = ownCoefficients ? splines() : plan.field;
+}
+
+AxisRanges PlanFields::axisRanges(const RenderPlan& plan) {
+    AxisRanges ranges;
+    if (plan.figure->secondVolume && plan.figure->secondVolume->data) {
+        ranges.second = plan.figure->secondVolume->data->range();
+    }
+    ranges.distance = {0, glm::length(plan.volume->grid().sizeMm())};
+    // A ball of two voxels' radius is the smallest whose curvature voxels can hold.
+    ranges.curvature = {0, 0.5 / plan.volume->grid().smallestSpacingMm()};
+    return ranges;
+}
+
+void PlanFields::addFields(RenderPlan& plan, Task& task) {
+    addLabels(plan, task);
+    for (PlanLayer& layer : plan.layers) {
+        if (readsAxis(layer, TransferAxis::distance) && !layer.distanceFromMm) {
+            addDistance(plan, layer, task);
+        }
+    }
+    const auto readsSecond = [](const PlanLayer& layer) { return readsAxis(layer, TransferAxis::second); };
+    if (std::any_of(plan.layers.begin(), plan.layers.end(), readsSecond)) {
+        if (!plan.figure->secondVolume || !plan.figure->secondVolume->data) {
+            refuse("/second_volume", "a layer reads a second volume and there is none", "give the figure one");
+        }
+        const VolumePointer& second = plan.figure->secondVolume->data;
+        plan.secondVolume =
+            second_.get({second, plan.volume}, [&] { return resampledValues(*second, plan.volume->grid(), task); });
+    }
+}
+
+void PlanFields::addLabels(RenderPlan& plan, Task& task) {
+    const auto reads = [](const PlanLayer& layer) {
+        return layer.source->labels.has_value() || readsAxis(layer, TransferAxis::label);
+    };
+    if (std::none_of(plan.layers.begin(), plan.layers.end(), reads)) {
+        return;
+    }
+    const VolumePointer& labels = labelsOf(plan);
+    const std::map<int, std::uint8_t> slots = slotsOf(plan);
+    plan.labels =
+        slots_.get({labels, plan.volume, slots}, [&] { return labelSlots(*labels, plan.volume->grid(), slots, task); });
+    for (PlanLayer& layer : plan.layers) {
+        if (layer.source->labels) {
+            layer.shownSlots = shownSlots(*layer.source, slots);
+        }
+        if (readsAxis(layer, TransferAxis::label)) {
+            layer.rowOfSlot = rowOfSlot(layer.table, slots);
+        }
+    }
+}
+
+void PlanFields::addDistance(RenderPlan& plan, PlanLayer& layer, Task& task) {
+    const VolumePointer& labels = labelsOf(plan);
+    const int label = layer.source->transfer.distance ? layer.source->transfer.distance->label : 0;
+    layer.distance = distances_.get({labels, plan.volume, label}, [&] {
+        // On the scan's grid first: beyond the label volume there is no label, not distance 0.
+        const auto onGrid = labelSlots(*labels, plan.volume->grid(), {{label, std::uint8_t{1}}}, task);
+        const auto distance = distanceToLabel(*onGrid, 1, task);
+        if (!distance) {
+            refuse("/labels", "no voxel has the label " + std::to_string(label), "measure the distance from another");
+        }
+        return distance;
+    });
+}
+
+} // namespace limner
