@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <optional>
 
 namespace limner {
 namespace {
@@ -23,6 +24,7 @@ struct Theme {
     ThemeCard card;
     int rank = 0; ///< order in lists
     glm::dvec3 paper{1};
+    std::optional<Contours> contours;
     std::map<std::string, std::string> styles; ///< role -> id of a bundled style
 };
 
@@ -39,6 +41,9 @@ Theme loadTheme(const fs::path& path) {
         theme.rank = json.at("rank");
         const auto paper = json.at("paper").get<std::array<double, 3>>();
         theme.paper = {paper[0], paper[1], paper[2]};
+        if (const auto& contours = json.at("contours"); !contours.is_null()) { // every theme says whether it has them
+            theme.contours.emplace().thicknessMm = contours.at("thickness_mm");
+        }
         theme.styles = json.at("styles").get<std::map<std::string, std::string>>();
         return theme;
     } catch (const nlohmann::json::exception& e) {
@@ -89,6 +94,23 @@ const Style* styleFor(const Theme& theme, const std::string& role) {
     return found == theme.styles.end() ? nullptr : findBundledStyle(found->second);
 }
 
+bool drawsARole(const Figure& figure, const Layer& layer) {
+    const auto hasRole = [&](const std::string& id) {
+        const StyleEntry* entry = figure.findStyle(id);
+        return entry != nullptr && !entry->role.empty();
+    };
+    if (layer.shading != Shading::style) {
+        return false;
+    }
+    if (layer.transfer.kind == TransferKind::oneDimensional) {
+        return std::any_of(layer.transfer.nodes.begin(), layer.transfer.nodes.end(),
+                           [&](const TransferNode& node) { return !node.rgb && hasRole(node.style); });
+    }
+    const auto rows = layer.transfer.grid.value_or(TransferGrid{}).styles;
+    return std::any_of(rows.begin(), rows.end(),
+                       [&](const auto& row) { return std::any_of(row.begin(), row.end(), hasRole); });
+}
+
 } // namespace
 
 const std::vector<ThemeCard>& bundledThemes() {
@@ -121,6 +143,11 @@ Figure withTheme(const Figure& figure, const std::string& theme, std::vector<std
         entry.credit = style->card.credit;
         entry.licence = style->card.licence;
         entry.sphere = style->sphere;
+    }
+    for (Layer& layer : changed.layers) {
+        if (drawsARole(figure, layer)) {
+            layer.contours = chosen.contours;
+        }
     }
     changed.background.rgba = {chosen.paper, 1};
     if (changed.background.kind == "image") {

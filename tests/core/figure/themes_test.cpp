@@ -14,6 +14,11 @@
 namespace limner {
 namespace {
 
+bool hasFatalProblem(const Figure& figure) {
+    const std::vector<Problem> problems = validateFigure(figure);
+    return std::any_of(problems.begin(), problems.end(), [](const Problem& problem) { return problem.fatal; });
+}
+
 constexpr const char* kRoles[] = {"bone",  "teeth", "skin",      "veil",    "vessel",  "vein",   "muscle", "organ",
                                   "brain", "fat",   "cartilage", "implant", "outline", "matter", "any"};
 
@@ -92,7 +97,8 @@ TEST(Themes, OnlyLookChanges) {
     const Figure before = figureOfAllRoles();
     std::vector<std::string> notes;
     const Figure after = withTheme(before, "blackboard", notes);
-    EXPECT_EQ(after.layers, before.layers); // plain colours too
+    ASSERT_EQ(after.layers.size(), before.layers.size());
+    EXPECT_EQ(after.layers[0].transfer, before.layers[0].transfer); // plain colours too
     EXPECT_EQ(after.camera, before.camera);
     EXPECT_EQ(after.output, before.output);
     EXPECT_EQ(*after.findStyle("own"), *before.findStyle("own"));
@@ -107,7 +113,8 @@ TEST(Themes, OnlyLookChanges) {
 }
 
 TEST(Themes, TheLastOneCounts) {
-    const Figure start = figureOfAllRoles();
+    Figure start = figureOfAllRoles();
+    start.layers[0].contours.emplace();
     for (const ThemeCard& a : bundledThemes()) {
         for (const ThemeCard& b : bundledThemes()) {
             std::vector<std::string> notes;
@@ -134,8 +141,44 @@ TEST(Themes, EveryPresetTakesThem) {
             EXPECT_EQ(themed.styles[i].sphere->hasDirectionalOpacity(),
                       figure.styles[i].sphere->hasDirectionalOpacity());
         }
-        EXPECT_EQ(themed.layers, figure.layers);
+        ASSERT_EQ(themed.layers.size(), figure.layers.size());
+        for (std::size_t i = 0; i < themed.layers.size(); ++i) {
+            EXPECT_EQ(themed.layers[i].transfer, figure.layers[i].transfer) << preset.id;
+        }
+        EXPECT_FALSE(hasFatalProblem(themed)) << preset.id;
     }
+}
+
+TEST(Themes, TheirPenDrawsTheContoursOfLayersWithRoles) {
+    Figure figure = figureOfAllRoles();
+    figure.layers[0].contours = Contours{.thicknessMm = 7, .curvatureControlled = false};
+    Layer plain;
+    plain.transfer.nodes = {{0, "own", std::nullopt}, {1, "", glm::dvec3(1, 0, 0)}};
+    plain.contours = Contours{.thicknessMm = 3};
+    Layer plane;
+    plane.transfer.kind = TransferKind::twoDimensional;
+    plane.transfer.grid = TransferGrid{{0, 1}, {0}, {{"#808080", "id of skin"}}};
+    Layer flat = figure.layers[0];
+    flat.shading = Shading::flat;
+    figure.layers.insert(figure.layers.end(), {plain, plane, flat});
+    int with = 0;
+    for (const ThemeCard& card : bundledThemes()) {
+        std::vector<std::string> notes;
+        const Figure themed = withTheme(figure, card.id, notes);
+        EXPECT_NE(themed.layers[0].contours, figure.layers[0].contours) << card.id;
+        EXPECT_EQ(themed.layers[1].contours, plain.contours) << card.id << ": no role";
+        EXPECT_EQ(themed.layers[2].contours, themed.layers[0].contours) << card.id;
+        EXPECT_EQ(themed.layers[3].contours, flat.contours) << card.id << ": not shaded by its styles";
+        if (const auto& contours = themed.layers[0].contours) {
+            ++with;
+            // Thinner, no press prints; thicker, it hides what it bounds.
+            EXPECT_GE(contours->thicknessMm, 0.1) << card.id;
+            EXPECT_LE(contours->thicknessMm, 1) << card.id;
+            EXPECT_EQ(*contours, Contours{.thicknessMm = contours->thicknessMm}) << card.id;
+        }
+    }
+    EXPECT_GE(with, 3);
+    EXPECT_LT(with, static_cast<int>(bundledThemes().size())) << "the brush has no pen";
 }
 
 TEST(Themes, RolesAndTheLookSurviveTheFile) {
