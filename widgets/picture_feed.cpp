@@ -7,11 +7,7 @@
 namespace limner {
 namespace {
 
-QImage imageOf(const DeliveredPicture& delivered) {
-    const Figure& figure = *delivered.plan->figure;
-    PictureOptions options;
-    options.transparent = figure.output.transparent;
-    options.background = figure.background.rgba;
+QImage imageOf(const DeliveredPicture& delivered, const PictureOptions& options) {
     auto* bytes = new std::vector<std::uint8_t>(toRgba8(*delivered.picture, options));
     const glm::ivec2 size = delivered.picture->size();
     // The image owns the bytes: no copy.
@@ -57,7 +53,16 @@ void PictureFeed::clear() {
 }
 
 void PictureFeed::deliver(DeliveredPicture delivered) {
-    ScreenPicture picture{imageOf(delivered), delivered.plan, delivered.facts};
+    PictureOptions options = pictureOptions(*delivered.plan->figure);
+    ScreenPicture picture{{}, delivered.plan, delivered.facts};
+    try {
+        picture.image = imageOf(delivered, options);
+    } catch (const Error& error) { // of the picture behind the figure: the figure itself is there
+        options.backgroundPicture = nullptr;
+        picture.image = imageOf(delivered, options);
+        QMetaObject::invokeMethod(
+            this, [this, error] { Q_EMIT failed(error); }, Qt::QueuedConnection);
+    }
     bool post = false;
     {
         const std::lock_guard lock(mutex_);

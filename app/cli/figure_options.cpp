@@ -6,6 +6,7 @@
 #include "core/figure/label_look.h"
 #include "core/figure/output_size.h"
 #include "core/figure/quantity.h"
+#include "core/figure/themes.h"
 #include "core/project/label_volume.h"
 #include "core/style/lit_sphere.h"
 
@@ -41,6 +42,18 @@ std::optional<double> matterAbove(const Figure& figure) {
     return std::nullopt;
 }
 
+/// Throws where the option was given and names none of the cards.
+template <typename Card>
+void checkCard(const std::vector<Card>& cards, const std::string& id, const std::string& option) {
+    std::vector<std::string> names;
+    for (const Card& card : cards) {
+        names.push_back(card.id);
+    }
+    if (!id.empty()) {
+        checkKnown(names, id, option);
+    }
+}
+
 /// Everything else is a scan.
 bool namesProject(const std::filesystem::path& path) {
     return path.extension() == ".limner" || path.extension() == ".json";
@@ -65,6 +78,8 @@ void FigureOptions::declareInput(CLI::App& app, const std::string& name, const s
 
 void FigureOptions::declareLook(CLI::App& app) {
     app.add_option("--preset", preset_, "Look to start from; `limner preset list` shows them [auto]")
+        ->option_text("NAME");
+    app.add_option("--theme", theme_, "Exchange all styles and the paper; `limner theme list` shows them")
         ->option_text("NAME");
     app.add_option("--view", view_,
                    "Look from: anterior, posterior, left, right, superior, inferior or three-quarter (the patient's "
@@ -140,19 +155,17 @@ Document FigureOptions::open(Console& console) const {
     if (!view_.empty()) {
         chosen(kViews, view_, "--view");
     }
-    if (!preset_.empty()) {
-        std::vector<std::string> names;
-        for (const PresetCard& card : bundledPresets()) {
-            names.push_back(card.id);
-        }
-        checkKnown(names, preset_, "--preset");
-    }
+    checkCard(bundledPresets(), preset_, "--preset");
+    checkCard(bundledThemes(), theme_, "--theme");
     Document document = openDocument(file_, openOptions(), console.task());
     for (const std::string& note : document.volumeReport.warnings) {
         console.task().warn(note);
     }
     if (!preset_.empty() && !document.path.empty()) {
         document.figure = withPreset(document.figure, preset_, document.notes);
+    }
+    if (!theme_.empty()) {
+        document.figure = withTheme(document.figure, theme_, document.notes);
     }
     for (const std::string& note : document.notes) {
         console.task().warn(note);
@@ -199,8 +212,12 @@ void FigureOptions::applySettings(Document& document, Console& console) const {
     if (settings_.empty()) {
         return;
     }
-    const auto unresolved = [](const StyleEntry& style) { return style.sphere == nullptr; };
-    if (std::any_of(document.figure.styles.begin(), document.figure.styles.end(), unresolved)) {
+    const Background& background = document.figure.background;
+    const auto unresolved = [](const StyleEntry& style) {
+        return style.sphere == nullptr || (style.texture && style.texture->tile == nullptr);
+    };
+    if (std::any_of(document.figure.styles.begin(), document.figure.styles.end(), unresolved) ||
+        (background.kind == "image" && background.picture == nullptr)) {
         const std::size_t known = document.notes.size();
         resolveFigure(document, document.path.parent_path(), importOptions(), console.task());
         for (std::size_t i = known; i < document.notes.size(); ++i) {

@@ -16,19 +16,20 @@ namespace limner::cli {
 
 class Console;
 
-/// The options that say which figure is meant: a file, how to read it, a preset, a view, a size and settings.
+/// The options that say which figure is meant: a file, how to read it, a preset, a theme, a view, a size and settings.
 class FigureOptions {
   public:
     /// The file, the options for reading a scan, and its labels.
     void declareInput(CLI::App& app, const std::string& name, const std::string& help);
-    /// Preset, view and settings.
+    /// Preset, theme, view and settings.
     void declareLook(CLI::App& app);
     /// Size in pixels or millimetres.
     void declareSize(CLI::App& app);
     /// Threads and memory.
     void declareMachine(CLI::App& app);
 
-    /// Opens the file and applies everything, in this order: preset, size, view, settings. Says what was noticed.
+    /// Opens the file and applies everything, in this order: preset, theme, size, view, settings. Says what was
+    /// noticed.
     [[nodiscard]] Document open(Console& console) const;
     /// As `open`, but only reads: no preset is laid over, nothing is changed.
     [[nodiscard]] Document openAsIs(Console& console) const;
@@ -50,6 +51,7 @@ class FigureOptions {
     std::string labels_;
     bool firstComponent_ = false;
     std::string preset_;
+    std::string theme_;
     std::string view_;
     std::vector<std::string> settings_;
     std::string size_;

@@ -4,8 +4,8 @@
 #include "app/cli/facts.h"
 #include "core/figure/quantity.h"
 #include "core/figure/scan_facts.h"
-#include "core/volume/histogram.h"
 #include "core/volume/derived_fields.h"
+#include "core/volume/histogram.h"
 #include "core/volume/label_table.h"
 
 #include <CLI/CLI.hpp>

@@ -3,6 +3,7 @@
 #include "app/cli/console.h"
 #include "app/cli/facts.h"
 #include "core/figure/presets.h"
+#include "core/figure/themes.h"
 #include "core/style/lit_sphere.h"
 
 #include <CLI/CLI.hpp>
@@ -33,8 +34,7 @@ void StyleListCommand::declare(CLI::App& app) {
 int StyleListCommand::run(Console& console) {
     std::vector<std::vector<std::string>> rows;
     Facts list = Facts::array();
-    for (const Style& style : bundledStyles()) {
-        const StyleCard& card = style.card;
+    for (const StyleCard& card : bundledStyleCards()) {
         rows.push_back({card.id, card.name, join(card.tags)});
         list.push_back({{"id", card.id},
                         {"name", card.name},
@@ -66,6 +66,27 @@ int PresetListCommand::run(Console& console) {
     }
     if (console.json) {
         printFacts(console, Facts{{"presets", list}});
+    } else {
+        console.print(textTable(rows));
+    }
+    return 0;
+}
+
+void ThemeListCommand::declare(CLI::App& app) {
+    app.description("Lists the bundled themes\n"
+                    "The name for --theme, and what it looks like.");
+    app.footer("Examples:\n  limner theme list\n  limner theme list --json\n");
+}
+
+int ThemeListCommand::run(Console& console) {
+    std::vector<std::vector<std::string>> rows;
+    Facts list = Facts::array();
+    for (const ThemeCard& card : bundledThemes()) {
+        rows.push_back({card.id, card.name, card.help});
+        list.push_back({{"id", card.id}, {"name", card.name}, {"help", card.help}});
+    }
+    if (console.json) {
+        printFacts(console, Facts{{"themes", list}});
     } else {
         console.print(textTable(rows));
     }

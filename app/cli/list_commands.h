@@ -18,4 +18,11 @@ class PresetListCommand : public Command {
     int run(Console& console) override;
 };
 
+/// `limner theme list`: the bundled themes.
+class ThemeListCommand : public Command {
+  public:
+    void declare(CLI::App& app) override;
+    int run(Console& console) override;
+};
+
 } // namespace limner::cli

@@ -33,10 +33,7 @@ std::vector<std::byte> thumbnailOf(const Figure& figure, Task& task) {
     request.size = {kEdge, kEdge};
     request.subPixels = 2; // small pictures need smooth edges most
     Planner planner;
-    PictureOptions options;
-    options.background = figure.background.rgba;
-    options.transparent = figure.output.transparent;
-    return renderPng(*planner.plan(square, request, task), *makeBackend("auto"), options, task);
+    return renderPng(*planner.plan(square, request, task), *makeBackend("auto"), pictureOptions(figure), task);
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "app/cli/words.h"
 #include "core/base/process.h"
 #include "core/figure/quantity.h"
+#include "core/style/background_picture.h"
 #include "renderer/backend_choice.h"
 #include "renderer/export/thread_limit.h"
 #include "renderer/plan/planner.h"
@@ -77,15 +78,23 @@ void RenderCommand::declarePicture(CLI::App& app) {
     app.add_option("--depth", depth_, "Numbers in the file: 8, 16 (half in exr) or float [8; float in exr]")
         ->option_text("DEPTH");
     app.add_flag("--transparent", transparent_, "Leave the background out (png, tif, exr, webp)");
-    app.add_option("--background", background_, "Paper colour: #rrggbb, r,g,b from 0 to 1, white, grey or black")
-        ->option_text("COLOUR");
+    app.add_option(
+           "--background", background_,
+           "What lies behind the figure: a colour (#rrggbb, r,g,b from 0 to 1, white, grey or black), or a picture "
+           "file, scaled to cover")
+        ->option_text("COLOUR-or-FILE");
 }
 
-PictureOptions RenderCommand::pictureOptions(const Figure& figure) const {
-    PictureOptions options;
-    options.dpi = figure.output.dpi;
+PictureOptions RenderCommand::optionsFor(const Figure& figure) const {
+    PictureOptions options = pictureOptions(figure);
     options.depth = depth_.empty() ? SampleDepth::automatic : chosen(kDepths, depth_, "--depth").depth;
-    options.background = background_.empty() ? figure.background.rgba : parseColour(background_, "--background");
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(background_, ignored)) {
+        options.backgroundPicture = std::make_shared<const BackgroundPicture>(background_);
+    } else if (!background_.empty()) {
+        options.background = parseColour(background_, "--background");
+        options.backgroundPicture = nullptr;
+    }
     options.transparent = transparent_ || (figure.output.transparent && background_.empty());
     options.tile = tile_;
     options.memoryBudget = figure_.memory().value_or(options.memoryBudget);
@@ -95,7 +104,7 @@ PictureOptions RenderCommand::pictureOptions(const Figure& figure) const {
 int RenderCommand::run(Console& console) {
     const auto start = std::chrono::steady_clock::now();
     // What is wrong with the request is said before a scan of a gigabyte is read.
-    checkExport(out_, {0, 0}, pictureOptions(Figure{}));
+    checkExport(out_, {0, 0}, optionsFor(Figure{}));
     const auto backend = makeBackend(backend_);
     std::optional<ThreadLimit> limit;
     if (figure_.threads() > 0) {
@@ -103,7 +112,7 @@ int RenderCommand::run(Console& console) {
     }
     Task& task = console.task();
     const Document document = figure_.open(console);
-    PictureOptions options = pictureOptions(document.figure);
+    PictureOptions options = optionsFor(document.figure);
     checkExport(out_, document.figure.output.sizePixels(), options);
 
     task.beginPhase("Planning");

@@ -17,7 +17,7 @@ class RenderCommand : public Command {
 
   private:
     void declarePicture(CLI::App& app);
-    [[nodiscard]] PictureOptions pictureOptions(const Figure& figure) const;
+    [[nodiscard]] PictureOptions optionsFor(const Figure& figure) const;
     void report(Console& console, const ExportFacts& facts, const std::string& backend, double seconds) const;
 
     FigureOptions figure_;

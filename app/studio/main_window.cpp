@@ -10,6 +10,7 @@
 #include "widgets/preset_menu.h"
 #include "widgets/progress_strip.h"
 #include "widgets/style_gallery.h"
+#include "widgets/theme_menu.h"
 #include "widgets/transfer_editor_1d.h"
 #include "widgets/viewport.h"
 
@@ -124,12 +125,14 @@ void MainWindow::buildPanels() {
 
 void MainWindow::buildMenus() {
     presets_ = new PresetMenu(this);
+    themes_ = new ThemeMenu(this);
     QHash<QString, QMenu*> menus;
     const auto add = [&](const QString& id, const QString& title) { menus[id] = menuBar()->addMenu(title); };
     add("file", tr("&File"));
     add("edit", tr("&Edit"));
     add("view", tr("&View"));
     menuBar()->addMenu(presets_);
+    menuBar()->addMenu(themes_);
     add("panels", tr("Pa&nels"));
     add("help", tr("&Help"));
     for (const ActionRow& row : actionTable()) {
@@ -158,19 +161,24 @@ void MainWindow::buildToolBar() {
         if (!menu.isEmpty() && of != menu) {
             bar->addSeparator();
             if (of == "view") { // looks go between history and views
-                auto* button = new QToolButton;
-                button->setText(tr("Preset"));
-                button->setToolTip(tr("Lay a ready-made look over the figure"));
-                button->setMenu(presets_);
-                button->setPopupMode(QToolButton::InstantPopup);
-                presetButton_ = button;
-                bar->addWidget(button);
+                presetButton_ = addLookButton(bar, tr("Preset"), tr("Lay a ready-made look over the figure"), presets_);
+                themeButton_ = addLookButton(bar, tr("Theme"), tr("Exchange all styles and the paper"), themes_);
                 bar->addSeparator();
             }
         }
         menu = of;
         bar->addAction(actions_->at(row.id));
     }
+}
+
+QToolButton* MainWindow::addLookButton(QToolBar* bar, const QString& text, const QString& tip, QMenu* menu) {
+    auto* button = new QToolButton;
+    button->setText(text);
+    button->setToolTip(tip);
+    button->setMenu(menu);
+    button->setPopupMode(QToolButton::InstantPopup);
+    bar->addWidget(button);
+    return button;
 }
 
 void MainWindow::buildStatusBar() {
@@ -215,6 +223,7 @@ void MainWindow::connectActions() {
        [this](bool freely) { viewport_->setTurnMode(freely ? TurnMode::trackball : TurnMode::turntable); });
     on("help.about", [this] { showAbout(); });
     connect(presets_, &PresetMenu::chosen, this, &MainWindow::usePreset);
+    connect(themes_, &ThemeMenu::chosen, this, &MainWindow::useTheme);
     connect(welcome_, &WelcomePage::openWanted, this, &MainWindow::chooseAndOpen);
     connect(welcome_, &WelcomePage::openFolderWanted, this, &MainWindow::chooseFolderAndOpen);
     connect(welcome_, &WelcomePage::sampleWanted, this, &MainWindow::openSample);
@@ -250,6 +259,8 @@ void MainWindow::documentChanged() {
     presets_->setEnabled(drawable);
     presets_->setLabelsThere(drawable && figure->labels && figure->labels->data);
     presetButton_->setEnabled(drawable);
+    themes_->setEnabled(any);
+    themeButton_->setEnabled(any);
     actions_->at("file.open-labels")->setEnabled(drawable);
     const History& history = document_->history();
     const auto named = [](const QString& verb, const std::string& label) {

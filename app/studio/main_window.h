@@ -13,6 +13,7 @@
 
 class QLabel;
 class QStackedWidget;
+class QToolBar;
 class QToolButton;
 
 namespace limner {
@@ -25,6 +26,7 @@ class PictureFeed;
 class PresetMenu;
 class ProgressStrip;
 class StyleGallery;
+class ThemeMenu;
 class TransferEditor1d;
 class Viewport;
 class WelcomePage;
@@ -53,6 +55,7 @@ class MainWindow : public QMainWindow {
     void savePath(const std::filesystem::path& path);
     void exportPath(const std::filesystem::path& path, const ExportDialog::Choice& choice);
     void usePreset(const QString& id, const QString& name);
+    void useTheme(const QString& id, const QString& name);
     /// Reads a label volume for the open scan; its layers stay as they are.
     void openLabelsPath(const std::filesystem::path& path);
 
@@ -64,7 +67,7 @@ class MainWindow : public QMainWindow {
     [[nodiscard]] LayerList& layers() { return *layers_; }
     [[nodiscard]] LabelList& labels() { return *labels_; }
     [[nodiscard]] NoticeBar& notices() { return *notices_; }
-    /// Whether a job of the window (import, labels, save, export, preset) is under way.
+    /// Whether a job of the window (import, labels, save, export, preset, theme) is under way.
     [[nodiscard]] bool busy() const;
 
     enum class Answer { save, discard, cancel };
@@ -86,6 +89,7 @@ class MainWindow : public QMainWindow {
     void buildPanels();
     void buildMenus();
     void buildToolBar();
+    QToolButton* addLookButton(QToolBar* bar, const QString& text, const QString& tip, QMenu* menu);
     void buildStatusBar();
     void connectActions();
     void connectPanels();
@@ -128,11 +132,13 @@ class MainWindow : public QMainWindow {
     TransferEditor1d* transfer_;
     StyleGallery* gallery_;
     PresetMenu* presets_;
+    ThemeMenu* themes_;
     QToolButton* presetButton_ = nullptr;
+    QToolButton* themeButton_ = nullptr;
     QMenu* recent_;
     ProgressStrip* progress_;
     QLabel* facts_;
-    QPointer<Job> openJob_, saveJob_, exportJob_, presetJob_, labelJob_, resourceJob_;
+    QPointer<Job> openJob_, saveJob_, exportJob_, lookJob_, labelJob_, resourceJob_;
     std::shared_ptr<const Figure> wanted_; ///< what the newest request to the feed shows
     QSize wantedPixels_;
     bool wantedDraft_ = false;

@@ -3,6 +3,7 @@
 
 #include "app/studio/welcome_page.h"
 #include "core/figure/presets.h"
+#include "core/figure/themes.h"
 #include "core/project/label_volume.h"
 #include "core/style/lit_sphere.h"
 #include "core/volume/phantom.h"
@@ -12,6 +13,7 @@
 #include "widgets/preset_menu.h"
 #include "widgets/progress_strip.h"
 #include "widgets/style_gallery.h"
+#include "widgets/theme_menu.h"
 #include "widgets/transfer_editor_1d.h"
 #include "widgets/viewport.h"
 
@@ -80,20 +82,22 @@ Job* MainWindow::startJob(QPointer<Job>& slot, const QString& name, std::functio
     return job;
 }
 
-bool MainWindow::busy() const { return openJob_ || labelJob_ || saveJob_ || exportJob_ || presetJob_; }
+bool MainWindow::busy() const { return openJob_ || labelJob_ || saveJob_ || exportJob_ || lookJob_; }
 
 void MainWindow::loadResources() {
     struct Resources {
         std::vector<Style> styles;
         std::vector<PresetCard> presets;
+        std::vector<ThemeCard> themes;
     };
     auto read = std::make_shared<Resources>();
-    Job* job = startJob(resourceJob_, tr("Reading styles and presets"), [read](Task&) {
-        *read = {bundledStyles(), bundledPresets()};
+    Job* job = startJob(resourceJob_, tr("Reading styles, presets and themes"), [read](Task&) {
+        *read = {bundledStyles(), bundledPresets(), bundledThemes()};
     });
     connect(job, &Job::finished, this, [this, read] {
         gallery_->setStyles(read->styles);
         presets_->setPresets(read->presets);
+        themes_->setThemes(read->themes);
     });
     job->start();
 }
@@ -293,11 +297,8 @@ void MainWindow::exportPath(const std::filesystem::path& path, const ExportDialo
     document_->apply(edit);
     auto figure = std::make_shared<Figure>(*document_->figure());
     figure->quality.samplesPerPixel = choice.samplesPerPixel;
-    PictureOptions options;
-    options.dpi = choice.output.dpi;
+    PictureOptions options = pictureOptions(*figure);
     options.depth = choice.depth;
-    options.transparent = choice.output.transparent;
-    options.background = figure->background.rgba;
     Job* job = startJob(exportJob_, tr("Exporting %1").arg(toText(path.filename())),
                         [plan = engine_.plan, backend = exporter_, figure, path, options](Task& task) {
                             const auto made = plan(*figure, {}, task);
@@ -322,17 +323,40 @@ void MainWindow::usePreset(const QString& id, const QString& name) {
         std::vector<std::string> notes;
     };
     auto look = std::make_shared<Look>();
-    Job* job = startJob(presetJob_, tr("Preset %1").arg(name), [look, figure, id = id.toStdString()](Task&) {
+    Job* job = startJob(lookJob_, tr("Preset %1").arg(name), [look, figure, id = id.toStdString()](Task&) {
         look->figure = withPreset(*figure, id, look->notes);
     });
     connect(job, &Job::finished, this, [=, this] {
-        presetJob_.clear();
+        lookJob_.clear();
         if (generation != document_->generation())
             return;
         look->figure.camera = document_->figure()->camera; // it may have been turned meanwhile
         look->figure.output = document_->figure()->output;
         document_->apply({look->figure, tr("Preset %1").arg(name).toStdString(), {}, false});
         notices_->setNotices(toLines(look->notes), NoticeBar::Kind::information);
+    });
+    progress_->follow(job);
+    job->start();
+}
+
+void MainWindow::useTheme(const QString& id, const QString& name) {
+    const std::shared_ptr<const Figure> figure = document_->figure();
+    if (!figure)
+        return;
+    const unsigned generation = document_->generation();
+    // The job reads the styles' pictures; after it, the exchange takes no time.
+    Job* job = startJob(lookJob_, tr("Theme %1").arg(name), [figure, id = id.toStdString()](Task&) {
+        std::vector<std::string> notes;
+        static_cast<void>(withTheme(*figure, id, notes));
+    });
+    connect(job, &Job::finished, this, [=, this] {
+        lookJob_.clear();
+        if (generation != document_->generation())
+            return;
+        std::vector<std::string> notes;
+        const Figure themed = withTheme(*document_->figure(), id.toStdString(), notes);
+        document_->apply({themed, tr("Theme %1").arg(name).toStdString(), {}, false});
+        notices_->setNotices(toLines(notes), NoticeBar::Kind::information);
     });
     progress_->follow(job);
     job->start();

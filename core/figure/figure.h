@@ -20,6 +20,8 @@
 
 namespace limner {
 
+class BackgroundPicture;
+
 /// The figure: everything a picture depends on, as one value (spec figure-document.md). Lengths in mm, angles in
 /// degrees, colours sRGB 0..1, data values in the volume's own unit. Absent parts are `std::optional` without a value
 /// and stay absent. Every member's JSON name, unit, range, default and help stand in core/figure/parameters.cpp and
@@ -91,7 +93,8 @@ struct StyleEntry {
 struct Background {
     std::string kind = "colour"; ///< colour, image
     glm::dvec4 rgba{1, 1, 1, 1};
-    std::string file;
+    std::string file; ///< of an image: inside the project, beside it, or an absolute path
+    std::shared_ptr<const BackgroundPicture> picture = nullptr; ///< null until resolved; compared by identity
     friend bool operator==(const Background&, const Background&) = default;
 };
 

@@ -330,7 +330,9 @@ std::span<const Field> fieldsOf<Background>() {
         field<&T::rgba>(
             "rgba",
             {.label = "Colour", .help = "Colour and opacity of the paper.", .unit = "sRGB", .low = 0, .high = 1}),
-        field<&T::file>("file", {.label = "Picture", .help = "Picture inside the project.", .omitDefault = true}),
+        field<&T::file>("file",
+                        {.label = "Picture", .help = "Picture inside the project, or a path.", .omitDefault = true}),
+        outside<&T::picture>(kRedraw),
     };
     return fields;
 }

@@ -297,6 +297,14 @@ void dropStale(const Figure& before, Figure& after) {
         if (!moved && before.styles[i].file != after.styles[i].file) {
             after.styles[i].sphere = nullptr;
         }
+        std::optional<StyleTexture>& texture = after.styles[i].texture;
+        const std::optional<StyleTexture>& old = before.styles[i].texture;
+        if (!moved && texture && (!old || old->file != texture->file)) {
+            texture->tile = nullptr;
+        }
+    }
+    if (before.background.file != after.background.file) {
+        after.background.picture = nullptr;
     }
 }
 

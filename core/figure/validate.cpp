@@ -324,7 +324,6 @@ std::vector<std::string> partsNotDrawn(const Figure& figure) {
     }
     kept(figure.importance.has_value(), "/importance", "importance is");
     kept(figure.stipple.has_value(), "/stipple", "stipples are");
-    kept(figure.background.kind == "image", "/background/kind", "a picture as background is");
     kept(!figure.annotations.empty(), "/annotations", "annotations are");
     kept(figure.quality.tolerance.has_value(), "/quality/tolerance", "the tolerance is");
     return lines;

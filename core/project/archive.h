@@ -20,6 +20,9 @@ namespace limner {
 /// What an entry's name says it is; every other safe name is `other`, kept through a save but never opened.
 enum class EntryKind { figure, style, styleCard, background, thumbnail, volume, folder, other };
 
+/// By the entry's name alone.
+EntryKind kindOf(const std::string& name);
+
 struct ArchiveEntry {
     std::string name;
     EntryKind kind = EntryKind::other;

@@ -67,32 +67,6 @@ bool hasEnding(const std::string& name, std::initializer_list<const char*> endin
     return std::any_of(endings.begin(), endings.end(), [&](const char* ending) { return lower.ends_with(ending); });
 }
 
-EntryKind kindOf(const std::string& name) {
-    const auto pictures = {".png", ".tif", ".tiff", ".jpg", ".jpeg", ".exr", ".webp"};
-    if (name == "figure.json") {
-        return EntryKind::figure;
-    }
-    if (name == "thumbnail.png") {
-        return EntryKind::thumbnail;
-    }
-    if (name == "volume.nrrd") {
-        return EntryKind::volume;
-    }
-    if (name.back() == '/') {
-        return EntryKind::folder;
-    }
-    const bool inStyles = name.starts_with("styles/") && name.find('/', 7) == std::string::npos;
-    if (inStyles && hasEnding(name, {".json"})) {
-        return EntryKind::styleCard;
-    }
-    if (inStyles && hasEnding(name, pictures)) {
-        return EntryKind::style;
-    }
-    const bool onTop = name.find('/') == std::string::npos;
-    return onTop && name.starts_with("background.") && hasEnding(name, pictures) ? EntryKind::background
-                                                                                 : EntryKind::other;
-}
-
 std::uint64_t largestSize(EntryKind kind) {
     switch (kind) {
     case EntryKind::figure:
@@ -166,6 +140,32 @@ bool hidesName(const fs::path& path, std::int64_t count) {
 }
 
 } // namespace
+
+EntryKind kindOf(const std::string& name) {
+    const auto pictures = {".png", ".tif", ".tiff", ".jpg", ".jpeg", ".exr", ".webp"};
+    if (name == "figure.json") {
+        return EntryKind::figure;
+    }
+    if (name == "thumbnail.png") {
+        return EntryKind::thumbnail;
+    }
+    if (name == "volume.nrrd") {
+        return EntryKind::volume;
+    }
+    if (name.back() == '/') {
+        return EntryKind::folder;
+    }
+    const bool inStyles = name.starts_with("styles/") && name.find('/', 7) == std::string::npos;
+    if (inStyles && hasEnding(name, {".json"})) {
+        return EntryKind::styleCard;
+    }
+    if (inStyles && hasEnding(name, pictures)) {
+        return EntryKind::style;
+    }
+    const bool onTop = name.find('/') == std::string::npos;
+    return onTop && name.starts_with("background.") && hasEnding(name, pictures) ? EntryKind::background
+                                                                                 : EntryKind::other;
+}
 
 Archive::Archive(const fs::path& path) : path_(path) {
     open();

@@ -1,9 +1,9 @@
 #include "core/project/label_volume.h"
 
 #include "core/base/error.h"
+#include "core/volume/derived_fields.h"
 #include "core/volume/grid_cover.h"
 #include "core/volume/import.h"
-#include "core/volume/derived_fields.h"
 #include "core/volume/label_table.h"
 
 #include <cmath>

@@ -4,6 +4,7 @@
 #include "core/project/archive.h"
 #include "core/project/label_volume.h"
 #include "core/project/project.h"
+#include "core/style/background_picture.h"
 
 #include <fstream>
 #include <optional>
@@ -86,6 +87,9 @@ class Resolver {
             if (style.texture && style.texture->tile == nullptr) {
                 loadTexture(style.id, *style.texture);
             }
+        }
+        if (figure.background.kind == "image" && figure.background.picture == nullptr) {
+            loadBackground(figure.background);
         }
     }
 
@@ -174,6 +178,23 @@ class Resolver {
                 withPicture(style.file, [&](const fs::path& picture) { style.sphere = loadStyle(picture).sphere; });
             if (!there) {
                 note("the style \"" + style.id + "\": the picture " + style.file + " is not there");
+            }
+        });
+    }
+
+    void loadBackground(Background& background) {
+        attempt("the background's picture", [&] {
+            const ArchiveEntry* entry = archive_ ? archive_->find(background.file) : nullptr;
+            const fs::path beside = folder_ / background.file; // an absolute path stays one
+            std::error_code ignored;
+            if (entry != nullptr && entry->kind == EntryKind::background) {
+                auto temporary = std::make_shared<const TemporaryFolder>();
+                const fs::path file = unpack(*entry, *temporary);
+                background.picture = std::make_shared<const BackgroundPicture>(file, std::move(temporary));
+            } else if (!background.file.empty() && fs::is_regular_file(beside, ignored)) {
+                background.picture = std::make_shared<const BackgroundPicture>(fs::absolute(beside));
+            } else {
+                note("the background's picture " + background.file + " is not there; its colour is drawn");
             }
         });
     }

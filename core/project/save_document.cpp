@@ -4,10 +4,13 @@
 #include "core/project/archive.h"
 #include "core/project/embedded_volume.h"
 #include "core/project/project.h"
+#include "core/style/background_picture.h"
 
 #include <OpenImageIO/imageio.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
@@ -100,6 +103,7 @@ class Contents {
             }
         }
         placeStyles(document);
+        placeBackground();
         placeOther(options);
         figureText_ = writeFigure(figure_);
         NewEntry figure;
@@ -194,6 +198,37 @@ class Contents {
         }
     }
 
+    /// The picture goes into the project as it is; a bare figure keeps its path, unless the picture lies in an archive.
+    void placeBackground() {
+        Background& background = figure_.background;
+        std::error_code ignored;
+        if (background.kind != "image" || background.picture == nullptr ||
+            !fs::is_regular_file(background.picture->file(), ignored)) {
+            return; // what was not found stays as it is written
+        }
+        const fs::path file = background.picture->file();
+        if (isBare() && !(old_ && old_->find(background.file) != nullptr)) {
+            const fs::path folder = fs::weakly_canonical(fs::absolute(target_).parent_path(), ignored);
+            const fs::path relative = fs::weakly_canonical(file, ignored).lexically_relative(folder);
+            const bool below = !relative.empty() && *relative.begin() != "..";
+            background.file = below ? relative.string() : file.string();
+            return;
+        }
+        std::string ending = file.extension().string();
+        std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+        NewEntry entry;
+        entry.name = "background" + ending;
+        if (kindOf(entry.name) != EntryKind::background) { // projects hold the usual formats only
+            background.file = file.string();
+            return;
+        }
+        entry.file = file;
+        entry.compress = false;
+        background.file = entry.name;
+        names_.insert(entry.name);
+        entries_.push_back(std::move(entry));
+    }
+
     /// Whether a picture needs no writing: bundled, in the document's old file (whose entry is kept), or beside a bare
     /// figure already.
     bool stays(const Document& document, const std::string& file) {
@@ -226,8 +261,12 @@ class Contents {
         if (!old_) {
             return;
         }
-        // Backgrounds, pictures of styles no longer in use and what a newer version put there go along.
+        // Pictures of styles no longer in use and what a newer version put there go along; of backgrounds the one that
+        // the figure names.
         for (const ArchiveEntry& entry : old_->entries()) {
+            if (entry.kind == EntryKind::background && entry.name != figure_.background.file) {
+                continue;
+            }
             if (entry.kind != EntryKind::figure && entry.kind != EntryKind::volume && entry.kind != EntryKind::folder) {
                 keep(entry.name);
             }
@@ -344,12 +383,13 @@ void writeFile(PendingFile& file, const std::string& bytes) {
 /// A bare figure.json: pictures beside it first, so that it never names one that is not there.
 void saveBare(const Contents& contents, const fs::path& path, Task& task) {
     for (const NewEntry& entry : contents.entries()) {
-        if (entry.name.starts_with("styles/") && entry.source == nullptr) {
+        const bool picture = entry.name.starts_with("styles/") || entry.name.starts_with("background.");
+        if (picture && entry.source == nullptr) {
             const fs::path place = path.parent_path() / entry.name;
             std::error_code ignored;
             fs::create_directories(place.parent_path(), ignored);
             PendingFile file(place);
-            writeFile(file, entry.bytes);
+            writeFile(file, entry.file.empty() ? entry.bytes : fileBytes(entry.file));
             file.commit();
         }
     }

@@ -21,8 +21,8 @@ struct SquarePicture {
     std::vector<Rgba> pixels; ///< size * size, top row first
 };
 
-/// Reads a picture of any format that OpenImageIO reads: grey or colour, with or without alpha; linear ones are
-/// sRGB-encoded. Its size is checked before anything is allocated. Throws Error(badInput), Error(noResources).
+/// Reads a whole picture, by `PictureRows`. Its size is checked before anything is allocated. Throws Error(badInput),
+/// Error(noResources).
 SquarePicture readSquarePicture(const std::filesystem::path& file, const PictureRules& rules);
 
 } // namespace limner

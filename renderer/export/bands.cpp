@@ -1,6 +1,7 @@
 #include "renderer/export/bands.h"
 
 #include "core/base/error.h"
+#include "renderer/export/backdrop.h"
 
 #include <algorithm>
 #include <string>
@@ -35,7 +36,7 @@ std::string mebibytes(std::size_t bytes) { return std::to_string((bytes + (1 << 
 BandLayout chooseBands(glm::ivec2 size, PictureFormat format, const PixelLayout& layout,
                        const PictureOptions& options) {
     const auto width = static_cast<std::size_t>(size.x);
-    std::size_t fixed = kFixedBytes;
+    std::size_t fixed = kFixedBytes + backdropBytes(options, layout, size);
     if (!traitsOf(format).streams) {
         fixed += width * static_cast<std::size_t>(size.y) * kWebpBytesPerPixel;
         if (fixed > options.memoryBudget) {

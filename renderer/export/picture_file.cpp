@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/pending_file.h"
+#include "renderer/export/backdrop.h"
 #include "renderer/export/bands.h"
 #include "renderer/export/picture_writer.h"
 #include "renderer/export/pixel_rows.h"
@@ -116,7 +117,7 @@ class BandPipeline {
             assert(result.picture.size() == tile.size);
             facts.samples += result.samples;
             facts.shaded += result.shaded;
-            facts.notFinite += writePixels(result.picture, parts_.layout, {band_, size.x, {x, 0}});
+            facts.notFinite += writePixels(result.picture, parts_.layout, {band_, size.x, {x, 0}, tile.origin});
             part.progress(1);
         }
     }
@@ -163,6 +164,17 @@ class MemoryStream {
 
 } // namespace
 
+PictureOptions pictureOptions(const Figure& figure) {
+    PictureOptions options;
+    options.dpi = figure.output.dpi;
+    options.transparent = figure.output.transparent;
+    options.background = figure.background.rgba;
+    if (figure.background.kind == "image") {
+        options.backgroundPicture = figure.background.picture;
+    }
+    return options;
+}
+
 void checkExport(const std::filesystem::path& path, glm::ivec2 size, const PictureOptions& options) {
     const PictureFormat format = pictureFormatOf(path);
     const PixelLayout layout = pixelLayout(format, options);
@@ -191,6 +203,7 @@ ExportFacts exportPicture(const RenderPlan& plan, const Backend& backend, const 
     header.name = path.string();
     const BandLayout bands = chooseBands(plan.size, header.format, header.layout, options);
     header.bandRows = bands.rows;
+    header.layout.backdrop = makeBackdrop(options, header.layout, plan.size);
 
     ExportFacts facts;
     facts.size = plan.size;
@@ -217,6 +230,7 @@ std::vector<std::uint8_t> toRgba8(const Picture& picture, const PictureOptions& 
     PixelLayout layout;
     layout.background = options.background;
     layout.alpha = options.transparent ? AlphaForm::unassociated : AlphaForm::opaque;
+    layout.backdrop = makeBackdrop(options, layout, picture.size());
     std::vector<std::uint8_t> out(static_cast<std::size_t>(picture.size().x) *
                                   static_cast<std::size_t>(picture.size().y) * 4);
     writePixels(picture, layout, {std::as_writable_bytes(std::span(out)), picture.size().x, {0, 0}});
@@ -230,6 +244,7 @@ std::vector<std::byte> encodePng(const Picture& picture, const PictureOptions& o
     header.dpi = options.dpi;
     header.name = "picture.png";
     checkSize(header.format, header.size, header.name);
+    header.layout.backdrop = makeBackdrop(options, header.layout, header.size);
     std::vector<std::byte> rows(static_cast<std::size_t>(header.size.x) * static_cast<std::size_t>(header.size.y) *
                                 header.layout.bytesPerPixel());
     writePixels(picture, header.layout, {rows, header.size.x, {0, 0}});

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -19,9 +20,14 @@ struct PictureOptions {
     SampleDepth depth = SampleDepth::automatic; ///< automatic: 8 bits, float for EXR; sixteen is half for EXR
     bool transparent = false;                   ///< keep alpha; formats without it (JPEG) take the background
     glm::dvec4 background{1, 1, 1, 1}; ///< sRGB-encoded, not premultiplied; what of it is see-through shows white paper
+    /// Behind the figure and over the background colour, scaled to cover; null: none.
+    std::shared_ptr<const BackgroundPicture> backgroundPicture = nullptr;
     std::size_t memoryBudget = std::size_t{1} << 30; ///< beyond the volume
     int tile = 0;                                    ///< edge in pixels; 0: chosen from the budget
 };
+
+/// Resolution, background and transparency as the figure has them.
+PictureOptions pictureOptions(const Figure& figure);
 
 struct ExportFacts {
     glm::ivec2 size{0};

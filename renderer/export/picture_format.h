@@ -3,6 +3,7 @@
 #include "renderer/export/picture_file.h"
 
 #include <filesystem>
+#include <memory>
 #include <string>
 
 namespace limner {
@@ -11,6 +12,8 @@ enum class PictureFormat { png, tiff, exr, jpeg, webp };
 
 /// How one pixel lies in a file.
 enum class SampleType { uint8, uint16, half, float32 };
+class Backdrop;
+
 enum class AlphaForm {
     none,          ///< laid over the background, three channels
     opaque,        ///< laid over the background, alpha 1
@@ -22,7 +25,9 @@ struct PixelLayout {
     AlphaForm alpha = AlphaForm::none;
     bool linear = false; ///< linear light instead of sRGB-encoded
     glm::dvec4 background{1, 1, 1, 1};
+    std::shared_ptr<const Backdrop> backdrop = nullptr; ///< over the background colour
 
+    [[nodiscard]] bool keepsAlpha() const { return alpha != AlphaForm::none && alpha != AlphaForm::opaque; }
     [[nodiscard]] int channels() const { return alpha == AlphaForm::none ? 3 : 4; }
     [[nodiscard]] std::size_t bytesPerPixel() const;
 };

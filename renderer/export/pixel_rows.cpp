@@ -1,16 +1,20 @@
 #include "renderer/export/pixel_rows.h"
 
+#include "renderer/export/backdrop.h"
+
 #include <OpenImageIO/half.h>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <type_traits>
+#include <vector>
 
 namespace limner {
 
@@ -39,20 +43,42 @@ T quantise(float value) {
     }
 }
 
-struct Background {
-    float r, g, b;
+/// What lies behind a row of pixels: one colour, or one for each.
+class Behind {
+  public:
+    Behind(const PixelLayout& layout, int width) : backdrop_(layout.backdrop.get()) {
+        // The background colour as it looks on white paper.
+        const glm::dvec4& rgba = layout.background;
+        const auto channel = [&](double c) { return static_cast<float>(c * rgba.a + (1 - rgba.a)); };
+        colour_ = {channel(rgba.r), channel(rgba.g), channel(rgba.b)};
+        if (backdrop_ != nullptr) {
+            row_.resize(static_cast<std::size_t>(width) * 3);
+        }
+    }
+
+    void goTo(glm::ivec2 start) {
+        if (backdrop_ == nullptr) {
+            return;
+        }
+        for (std::size_t i = 0; i < row_.size(); ++i) {
+            row_[i] = colour_[i % 3];
+        }
+        backdrop_->layOver(start, row_);
+    }
+    [[nodiscard]] const float* rgb() const { return backdrop_ != nullptr ? row_.data() : colour_.data(); }
+    [[nodiscard]] int stride() const { return backdrop_ != nullptr ? 3 : 0; }
+
+  private:
+    const Backdrop* backdrop_;
+    std::array<float, 3> colour_{};
+    std::vector<float> row_;
 };
 
-/// The background colour as it looks on white paper.
-Background onPaper(const glm::dvec4& rgba) {
-    const auto channel = [&](double c) { return static_cast<float>(c * rgba.a + (1 - rgba.a)); };
-    return {channel(rgba.r), channel(rgba.g), channel(rgba.b)};
-}
-
 template <typename T, AlphaForm kAlpha, bool kLinear>
-std::uint64_t convertRow(const float* in, int count, const Background& paper, T* out) {
+std::uint64_t convertRow(const float* in, int count, const Behind& behind, T* out) {
     std::uint64_t notFinite = 0;
-    for (int x = 0; x < count; ++x, in += 4) {
+    const float* paper = behind.rgb();
+    for (int x = 0; x < count; ++x, in += 4, paper += behind.stride()) {
         float c[3] = {in[0], in[1], in[2]};
         float a = in[3];
         // A sum is finite where all four are, but for sums that overflow, which are as bad.
@@ -62,9 +88,9 @@ std::uint64_t convertRow(const float* in, int count, const Background& paper, T*
         }
         a = std::clamp(a, 0.0F, 1.0F);
         if constexpr (kAlpha == AlphaForm::none || kAlpha == AlphaForm::opaque) {
-            c[0] += (1 - a) * paper.r;
-            c[1] += (1 - a) * paper.g;
-            c[2] += (1 - a) * paper.b;
+            c[0] += (1 - a) * paper[0];
+            c[1] += (1 - a) * paper[1];
+            c[2] += (1 - a) * paper[2];
             a = 1;
         } else if constexpr (kAlpha == AlphaForm::unassociated || kLinear) {
             const float scale = a > 0 ? 1 / a : 0;
@@ -90,18 +116,19 @@ std::uint64_t convertRow(const float* in, int count, const Background& paper, T*
 
 template <typename T, AlphaForm kAlpha, bool kLinear>
 std::uint64_t convertTile(const Picture& tile, const PixelLayout& layout, const BandTarget& target) {
-    const Background paper = onPaper(layout.background);
     const auto channels = static_cast<std::size_t>(layout.channels());
     T* const out = reinterpret_cast<T*>(target.bytes.data());
     return tbb::parallel_reduce(
         tbb::blocked_range<int>(0, tile.size().y, 8), std::uint64_t{0}, // 8 rows: some 10 us of work at least
         [&](const tbb::blocked_range<int>& rows, std::uint64_t notFinite) {
+            Behind behind(layout, tile.size().x);
             for (int y = rows.begin(); y < rows.end(); ++y) {
                 const auto row = static_cast<std::size_t>(target.origin.y + y);
                 const std::size_t first =
                     row * static_cast<std::size_t>(target.width) + static_cast<std::size_t>(target.origin.x);
+                behind.goTo(target.place + glm::ivec2(0, y));
                 notFinite +=
-                    convertRow<T, kAlpha, kLinear>(tile.pixel(0, y), tile.size().x, paper, out + first * channels);
+                    convertRow<T, kAlpha, kLinear>(tile.pixel(0, y), tile.size().x, behind, out + first * channels);
             }
             return notFinite;
         },

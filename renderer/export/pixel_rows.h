@@ -14,6 +14,7 @@ struct BandTarget {
     std::span<std::byte> bytes; ///< of the whole band
     int width = 0;              ///< pixels per row of the band
     glm::ivec2 origin{0};       ///< of the tile in the band
+    glm::ivec2 place{0};        ///< of the tile in the whole picture: where its backdrop lies
 };
 
 /// Converts a rendered tile into the layout's numbers, in parallel. Integers are rounded to nearest and clamped, floats

@@ -62,39 +62,50 @@ def hatch(axis, lines, share):
     return smoothstep(share + soft, share - soft, from_line) * smoothstep(0.0, 0.12, share) * smoothstep(0.98, 0.80, np.abs(height))
 
 
-def engraving():
-    """Swelling lines around the form over a faint tone; they open into white in the light."""
-    t = soft_light()
+def engraved(axis=(0.40, 0.86, 0.26), lines=10, cross=None, light=0.0, tone=1.55, tint=None):
+    """Swelling lines around the form over a faint tone; they open into white in the light.
+
+    axis, lines: what the lines go around, and how many; cross: the axis of a second set of lines, in the shadow;
+    light: how much earlier the lines open; tone: density of the tone; tint: (density, colour) of a second plate.
+    """
+    t = soft_light() + light
     back = smoothstep(0.15, 1.0, ball.NORMAL @ ball.BOUNCE)
     share = np.clip(0.86 - 1.10 * t - 0.22 * back, 0, 0.74)
-    ink = hatch(unit(0.40, 0.86, 0.26), 10, share)
-    tone = 0.55 * np.clip(0.80 - 1.15 * t - 0.20 * back, 0, 1)
+    ink = hatch(unit(*axis), lines, share)
+    if cross is not None:
+        ink = ink + 0.8 * hatch(unit(*cross), lines, np.clip(share - 0.16, 0, 0.6))
+    shade = 0.55 * np.clip(0.80 - 1.15 * t - 0.20 * back, 0, 1)
     outline = smoothstep(0.25, 0.12, FACING)
-    return printed(paint("f8f4e9", (np.maximum(0.36 * ink + 1.55 * tone, 2.2 * outline) + 0.03, "54494a")))
+    plates = [(np.maximum(0.36 * ink + tone * shade, 2.2 * outline) + 0.03, "54494a")]
+    if tint is not None:
+        density, colour = tint
+        plates.append((density * smoothstep(1.02, 0.80, t), colour))  # the second plate leaves the lights to the paper
+    return printed(paint("f8f4e9", *plates))
 
 
-def graphite():
-    t = soft_light() - 0.10 * rim(2.0) + wobble("hand", 0.012)
+def pencil(name, depth=1.55, light=0.0, colour="6a6b70"):
+    """Graphite on smooth paper, laid in strokes. depth: how soft the lead is; light: how much paper it leaves."""
+    t = soft_light() - 0.10 * rim(2.0) + wobble(name + "hand", 0.012) + light
     back = smoothstep(0.1, 1.0, ball.NORMAL @ ball.BOUNCE)
-    tooth = noise("tooth", 7, 24)
-    strokes = noise("strokes", 5, 22, stretch=(1, 0.10), angle=0.75)
+    tooth = noise(name + "tooth", 7, 24)
+    strokes = noise(name + "strokes", 5, 22, stretch=(1, 0.10), angle=0.75)
     density = np.clip(1.02 - 1.16 * t, 0, 1) ** 1.5 - 0.20 * back
     density = np.clip(density, 0.02, 1) * (1 + 0.025 * tooth + 0.055 * strokes)
     density += 0.30 * smoothstep(0.34, 0.10, FACING)
-    return printed(paint("f6f4ef", (1.55 * density, "6a6b70")))
+    return printed(paint("f6f4ef", (depth * density, colour)))
 
 
-def red_chalk():
-    t = soft_light() + wobble("chalk", 0.014)
+def chalk(name, colour="b4583c", depth=1.35, light=0.0, white=0.85):
+    """Chalk on cream paper, heightened with white. depth: how hard it is pressed; white: of the heightening."""
+    t = soft_light() + wobble(name + "chalk", 0.014) + light
     back = smoothstep(0.1, 1.0, ball.NORMAL @ ball.BOUNCE)
-    tooth = noise("laid", 6, 22)
-    strokes = noise("chalk strokes", 4, 18, stretch=(1, 0.12), angle=-0.7)
+    tooth = noise(name + "laid", 6, 22)
+    strokes = noise(name + "chalk strokes", 4, 18, stretch=(1, 0.12), angle=-0.7)
     density = np.clip(1.00 - 1.12 * t, 0, 1) ** 1.45
     density = (0.06 + density * (1 + 0.03 * tooth + 0.06 * strokes) + 0.22 * rim(3.0)) * (1 - 0.34 * back)
-    # Sanguine on cream paper, heightened with white chalk.
-    lab = oklab_from_srgb(np.clip(paint("efe0c6", (1.35 * density, "b4583c")), 0, 1))
-    white = smoothstep(0.74, 0.98, t) * (1 + 0.04 * tooth)
-    return printed(ball.srgb_from_oklab(toward(lab, "fffaf0", np.clip(0.85 * white, 0, 1))))
+    lab = oklab_from_srgb(np.clip(paint("efe0c6", (depth * density, colour)), 0, 1))
+    heightening = smoothstep(0.74, 0.98, t) * (1 + 0.04 * tooth)
+    return printed(ball.srgb_from_oklab(toward(lab, "fffaf0", np.clip(white * heightening, 0, 1))))
 
 
 def sepia():
@@ -105,15 +116,19 @@ def sepia():
     return printed(paint("f5ead2", (density, "a6794a"), (0.62 * smoothstep(0.5, 0.1, t) * (1 - 0.4 * back), "6b4a38")))
 
 
-def blackboard_chalk():
+def board_chalk(name, colour="f3f1e8", body=0.80, reach=(0.30, 0.98)):
+    """Chalk on a dark board: the light is drawn, the shadow is the board.
+
+    body: how full the tone is; reach: the light where it starts, and where it is full.
+    """
     t = soft_light()
-    tooth = noise("slate", 7, 24)
-    strokes = noise("stick", 4, 18, stretch=(1, 0.10), angle=0.75)
+    tooth = noise(name + "slate", 7, 24)
+    strokes = noise(name + "stick", 4, 18, stretch=(1, 0.10), angle=0.75)
     outline = smoothstep(0.52, 0.16, FACING) * (0.72 + 0.28 * smoothstep(0.2, 0.9, t))
-    body = 0.80 * smoothstep(0.30, 0.98, t) ** 1.2
-    chalk = np.clip(np.maximum(outline, body) * (0.92 + 0.02 * tooth + 0.045 * strokes), 0, 0.96)
+    tone = body * smoothstep(*reach, t) ** 1.2
+    cover = np.clip(np.maximum(outline, tone) * (0.92 + 0.02 * tooth + 0.045 * strokes), 0, 0.96)
     board = np.broadcast_to(oklab_from_srgb(hex_srgb("22302c")), ball.NORMAL.shape)
-    return printed(ball.srgb_from_oklab(toward(board, "f3f1e8", chalk)))
+    return printed(ball.srgb_from_oklab(toward(board, colour, cover)))
 
 
 def cel_two_tone():
@@ -172,11 +187,11 @@ STYLES = [
      lambda: watercolour("watercolour bone", "fcf8ee", "e6cb98", "80695f", "b5906a", 1.20)),
     ("ink-line", "Ink line", "outline,ink,bone", ink_line),
     ("ink-wash", "Ink wash", "ink,bone,organ,neutral", ink_wash),
-    ("engraving", "Engraving", "ink,bone,outline", engraving),
-    ("graphite", "Graphite", "drawing,bone,neutral", graphite),
-    ("red-chalk", "Red chalk", "drawing,muscle,skin", red_chalk),
+    ("engraving", "Engraving", "ink,bone,outline", engraved),
+    ("graphite", "Graphite", "drawing,bone,neutral", lambda: pencil("")),
+    ("red-chalk", "Red chalk", "drawing,muscle,skin", lambda: chalk("")),
     ("sepia", "Sepia wash", "drawing,bone,organ", sepia),
-    ("blackboard-chalk", "Blackboard chalk", "drawing,outline,dark ground", blackboard_chalk),
+    ("blackboard-chalk", "Blackboard chalk", "drawing,outline,dark ground", lambda: board_chalk("")),
     ("cel-two-tone", "Cel, two tones", "bone,skin,organ,graphic", cel_two_tone),
     ("cool-warm", "Cool to warm", "neutral,organ,industrial,graphic", cool_warm),
     ("glass", "Glass", "skin,transparent", glass),

@@ -10,6 +10,7 @@ import time
 
 import drawn
 import matter
+import plates
 from png16 import write_png16
 
 
@@ -28,7 +29,7 @@ def main():
     folder, wanted = sys.argv[1], set(sys.argv[2:])
     os.makedirs(folder, exist_ok=True)
     started, count = time.monotonic(), 0
-    for source in (matter, drawn):
+    for source in (matter, drawn, plates):
         for identity, name, tags, draw in source.STYLES:
             if wanted and identity not in wanted:
                 continue

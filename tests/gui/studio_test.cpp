@@ -6,7 +6,7 @@
 #include "core/project/embedded_volume.h"
 #include "core/volume/phantom.h"
 #include "support/make_volume.h"
-#include "support/qt_events.h"
+#include "support/qt/qt_events.h"
 #include "support/test_data.h"
 #include "widgets/label_list.h"
 #include "widgets/layer_list.h"
@@ -154,6 +154,26 @@ void choosePreset(Studio& studio, const Figure& start) {
     EXPECT_TRUE(studio.window->isWindowModified());
 }
 
+/// A theme exchanges the styles and the paper, and is one step back.
+void chooseTheme(Studio& studio) {
+    const Figure before = studio.figure();
+    auto* action = studio.window->findChild<QAction*>("theme.blackboard");
+    ASSERT_NE(action, nullptr);
+    action->trigger();
+    ASSERT_TRUE(pumpUntil([&] { return !studio.window->busy(); }));
+    EXPECT_EQ(studio.figure().layers, before.layers);
+    EXPECT_NE(studio.figure().styles, before.styles);
+    EXPECT_LT(studio.figure().background.rgba.g, 0.3);
+    const QRgb corner = qRgb(0x22, 0x30, 0x2c);
+    EXPECT_TRUE(pumpUntil([&] {
+        const auto& picture = studio.window->viewport().picture();
+        return picture && (picture->image.pixel(0, 0) & 0xffffffU) == (corner & 0xffffffU);
+    }));
+    studio.trigger("edit.undo");
+    EXPECT_EQ(studio.figure(), before);
+    studio.trigger("edit.redo");
+}
+
 /// Another style, by a click into the gallery.
 void clickAStyle(Studio& studio) {
     QListWidget* list = studio.window->gallery().list();
@@ -254,6 +274,7 @@ TEST(Studio, FromScanToExportAndBack) {
     ASSERT_FALSE(start.layers.empty());
 
     ASSERT_NO_FATAL_FAILURE(choosePreset(studio, start));
+    ASSERT_NO_FATAL_FAILURE(chooseTheme(studio));
     ASSERT_NO_FATAL_FAILURE(clickAStyle(studio));
     ASSERT_NO_FATAL_FAILURE(dragAPoint(studio));
     ASSERT_NO_FATAL_FAILURE(turn(studio));

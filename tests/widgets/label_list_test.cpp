@@ -3,7 +3,7 @@
 #include "core/figure/label_look.h"
 #include "core/project/history.h"
 #include "support/make_volume.h"
-#include "support/qt_events.h"
+#include "support/qt/qt_events.h"
 #include "widgets/preset_menu.h"
 #include "widgets/test_figure.h"
 

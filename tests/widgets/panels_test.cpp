@@ -3,7 +3,7 @@
 #include "widgets/style_gallery.h"
 #include "widgets/style_image.h"
 
-#include "support/qt_events.h"
+#include "support/qt/qt_events.h"
 #include "widgets/job.h"
 #include "widgets/notice_bar.h"
 #include "widgets/test_figure.h"

@@ -53,7 +53,7 @@ void expectError(std::vector<std::string> arguments, int code, const std::string
 TEST(Program, HelpOfEveryCommandHasExamplesAndEndsWell) {
     const std::vector<std::vector<std::string>> commands{
         {},          {"render"},    {"new"},           {"info"},          {"validate"},
-        {"explain"}, {"self-test"}, {"style", "list"}, {"preset", "list"}};
+        {"explain"}, {"self-test"}, {"style", "list"}, {"theme", "list"}, {"preset", "list"}};
     for (auto arguments : commands) {
         arguments.emplace_back("--help");
         const ProgramRun help = run(arguments);
@@ -75,6 +75,7 @@ TEST(Program, WrongUsageEndsWith2AndNamesTheNearest) {
     expectError({"render", "a.nrrd"}, 2, "--output");
     expectError({"render", "-o", "b.png"}, 2, "FIGURE-or-VOLUME");
     expectError({"render", "a.nrrd", "-o", "b.png", "--preset", "skul"}, 2, "did you mean skull?");
+    expectError({"render", "a.nrrd", "-o", "b.png", "--theme", "grey"}, 2, "gray");
     expectError({"render", "a.nrrd", "-o", "b.png", "--view", "top"}, 2, "superior");
     expectError({"render", "a.nrrd", "-o", "b.png", "--depth", "12"}, 2, "float");
     expectError({"render", "a.nrrd", "-o", "b.png", "--background", "#12"}, 2, "#rrggbb");
@@ -113,6 +114,7 @@ TEST_F(WithScan, EveryOtherFailureHasItsCode) {
     expectError({"info", path("bad.nrrd")}, 3, "bad.nrrd");
     std::ofstream(path("bad.json")) << "{ \"limner\": 1, ";
     expectError({"explain", path("bad.json")}, 3, "bad.json");
+    expectError({"render", scan(), "-o", path("b.png"), "--background", path("bad.json")}, 3, "bad.json");
     expectError({"render", scan(), "-o", path("b.png"), "--backend", "gl"}, 4, "OpenGL");
     expectError({"render", scan(), "-o", path("b.png"), "--memory", "20K"}, 5);
     expectError({"render", scan(), "-o", path("b.png"), "--set", "/camra/height_mm=5"}, 2, "camera");
@@ -194,6 +196,15 @@ TEST_F(WithScan, OptionsChangeThePicture) {
     const auto blue = render("blue.png", {"--background", "#0000ff"});
     EXPECT_EQ(blue[0], 0);
     EXPECT_EQ(blue[2], 1);
+    const auto picture = render("picture.png", {"--background", path("blue.png")});
+    EXPECT_EQ(picture[0], 0);
+    EXPECT_EQ(picture[2], 1);
+    EXPECT_NE(picture, blue); // the head stands behind the head
+    EXPECT_EQ(picture, render("picture set.png",
+                              {"--set", "/background/kind=image", "--set", "/background/file=" + path("blue.png")}));
+    const auto board = render("board.png", {"--theme", "blackboard"});
+    EXPECT_NEAR(board[1], 0x30 / 255.0, 1e-3);
+    EXPECT_NE(board, render("board blue.png", {"--theme", "blackboard", "--preset", "skull"}));
     const auto clear = render("clear.png", {"--transparent"});
     ASSERT_EQ(clear.size(), plain.size() / 3 * 4);
     EXPECT_EQ(clear[3], 0);
@@ -279,6 +290,12 @@ TEST(Program, ListsHaveWhatIsThere) {
     const auto presets = run({"preset", "list", "--json"}).facts().at("presets");
     EXPECT_GE(presets.size(), 9U);
     EXPECT_EQ(presets.at(0).at("id"), "auto");
+    const auto themes = run({"theme", "list", "--json"}).facts().at("themes");
+    EXPECT_GE(themes.size(), 7U);
+    for (const char* key : {"id", "name", "help"}) {
+        EXPECT_FALSE(themes.at(0).at(key).get<std::string>().empty()) << key;
+    }
+    EXPECT_EQ(static_cast<std::size_t>(lines(run({"theme", "list"}).out)), themes.size());
     const ProgramRun text = run({"style", "list"});
     EXPECT_EQ(static_cast<std::size_t>(lines(text.out)), styles.size());
 }

@@ -78,7 +78,7 @@ TEST(Description, CoversEveryMember) {
     EXPECT_ALL_DESCRIBED(StippleLighting, a);
     EXPECT_ALL_DESCRIBED(StippleCurves, a, b, c, d);
     EXPECT_ALL_DESCRIBED(Stipple, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o);
-    EXPECT_ALL_DESCRIBED(Background, a, b, c);
+    EXPECT_ALL_DESCRIBED(Background, a, b, c, d);
     EXPECT_ALL_DESCRIBED(Annotation, a, b, c, d, e);
     EXPECT_ALL_DESCRIBED(Output, a, b, c, d);
     EXPECT_ALL_DESCRIBED(Quality, a, b, c, d, e, f);

@@ -117,6 +117,17 @@ TEST(Settings, AnotherPathForgetsTheOldScan) {
     EXPECT_EQ(withSetting(figure, "/title=x").volume, figure.volume);
 }
 
+TEST(Settings, AnotherFileForgetsTheOldTexture) {
+    Figure figure;
+    StyleEntry& entry = figure.styles.emplace_back();
+    entry.id = "stone";
+    entry.texture.emplace();
+    entry.texture->file = "bundled:marble";
+    entry.texture->tile = std::make_shared<const TextureTile>(1, std::vector<Rgba>(1));
+    EXPECT_EQ(withSetting(figure, "/styles/0/texture/file=bundled:wood").styles[0].texture->tile, nullptr);
+    EXPECT_NE(withSetting(figure, "/styles/0/texture/strength=0.5").styles[0].texture->tile, nullptr);
+}
+
 TEST(Diff, TellsWhatAnEditCosts) {
     Figure figure;
     figure.layers.resize(2);

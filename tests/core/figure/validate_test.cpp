@@ -254,7 +254,6 @@ TEST(Validate, PartsThatAreNotDrawnAreSaid) {
         {"/layers/0/depth_of_field", [](Figure& f) { f.layers[0].depthOfField.emplace(); }},
         {"/importance", [](Figure& f) { f.importance.emplace(); }},
         {"/stipple", [](Figure& f) { f.stipple.emplace(); }},
-        {"/background/kind", [](Figure& f) { f.background.kind = "image"; }},
         {"/annotations", [](Figure& f) { f.annotations.emplace_back(); }},
         {"/quality/tolerance", [](Figure& f) { f.quality.tolerance = 0.01; }},
     };

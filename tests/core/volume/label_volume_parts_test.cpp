@@ -1,5 +1,5 @@
-#include "core/volume/grid_cover.h"
 #include "core/volume/derived_fields.h"
+#include "core/volume/grid_cover.h"
 #include "support/make_volume.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ TEST(LabelCounts, FractionsAreNoLabels) {
     EXPECT_FALSE(labelCounts(*makeVolume<std::uint8_t>(gridOf({4, 1, 1}), VoxelType::uint8, at, 0.5)));
     EXPECT_FALSE(labelCounts(*makeVolume<std::uint8_t>(gridOf({4, 1, 1}), VoxelType::uint8, at, 1, 0.25)));
     EXPECT_FALSE(labelCounts(*makeVolume<std::uint8_t>(gridOf({4, 1, 1}), VoxelType::uint8, at, 1e12)));
-    EXPECT_FALSE(labelCounts(*makeVolume<float>(gridOf({2, 1, 1}), VoxelType::float32, at, 3)));
+    EXPECT_FALSE(labelCounts(*makeVolume<float>(gridOf({2, 1, 1}), VoxelType::float32, at, 0.3)));
 }
 
 Grid turned(Grid grid, double degrees) { // about z
