@@ -1,6 +1,7 @@
 #include "renderer/accuracy/analytic_scenes.h"
 
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -245,6 +246,129 @@ AnalyticScene LitBall::scene(std::shared_ptr<const LitSphere> style, int pixels)
     layer.shading = Shading::style;
     layer.transfer.nodes = {{0, "style", std::nullopt}};
     layer.transfer.opacity = {{0, 0}, {0, 1}};
+    return scene;
+}
+
+AnalyticScene ContourBall::scene(double stepMm, double pixelMm) const {
+    const Grid grid = centredGrid(2 * static_cast<int>(std::lround(radiusMm)) + 13, 1);
+    const auto volume = sampleField(grid, [this](const glm::dvec3& mm) { return radiusMm - glm::length(mm); });
+    constexpr int rows = 4;
+    Camera camera = viewAlongZ(glm::dvec3(0), rows * pixelMm);
+    camera.projection = projection;
+    camera.fovDeg = glm::degrees(2 * std::atan(0.5 * camera.heightMm / eyeMm));
+    AnalyticScene scene{"A4 contour", plainFigure(volume, camera), {}};
+    scene.request.size = {2 * static_cast<int>(std::ceil(1.05 * rimMm() / pixelMm)), rows};
+    scene.request.lattice = SampleLattice{stepMm, 0.5, 0};
+    scene.figure.output.heightMm = camera.heightMm;
+    Layer& layer = scene.figure.layers.front();
+    layer.transfer.nodes = {colourNode(0, 1)};
+    layer.transfer.opacity = {{-1, 0}, {1, 1}};
+    layer.contours.emplace();
+    layer.contours->thicknessMm = thicknessMm;
+    layer.contours->curvature = curvature;
+    return scene;
+}
+
+double ContourBall::rimMm() const {
+    return projection == Projection::perspective ? eyeMm * std::tan(std::asin(radiusMm / eyeMm)) : radiusMm;
+}
+
+double ContourBall::paper(double pictureMm) const {
+    double impact = pictureMm; // of the ray
+    double depth = 1;          // of the ball's surface, over the middle's
+    if (projection == Projection::perspective) {
+        const double angle = std::atan(pictureMm / eyeMm);
+        impact = eyeMm * std::sin(angle);
+        const double toSurface =
+            eyeMm * std::cos(angle) - std::sqrt(std::max(0.0, radiusMm * radiusMm - impact * impact));
+        depth = toSurface * std::cos(angle) / eyeMm;
+    }
+    if (impact >= radiusMm) {
+        return 0;
+    }
+    const double sine = impact / radiusMm;
+    const double share = thicknessMm / radiusMm * depth * (curvature == CurvatureEstimator::normals ? sine : 1);
+    const double width = std::sqrt(share * (2 - share));
+    // Ink is whole up to nine tenths of the width and fades in a smooth step.
+    const double t = std::clamp((std::sqrt(1 - sine * sine) / width - 0.9) / 0.1, 0.0, 1.0);
+    return t * t * (3 - 2 * t);
+}
+
+double ContourBall::innerEndMm() const {
+    double low = 0; // paper is 1 in the middle and falls once
+    double high = rimMm();
+    for (int halving = 0; halving < 60; ++halving) {
+        const double middle = 0.5 * (low + high);
+        (paper(middle) >= 1 ? low : high) = middle;
+    }
+    return low;
+}
+
+namespace {
+
+/// Of the torus' own frame, whose z is the ring's axis.
+glm::dvec3 ringFrame(const glm::dvec3& mm) {
+    const double lean = glm::radians(50.0);
+    return {mm.x, std::cos(lean) * mm.y + std::sin(lean) * mm.z, std::cos(lean) * mm.z - std::sin(lean) * mm.y};
+}
+
+} // namespace
+
+double Torus::value(const glm::dvec3& mm) const {
+    const glm::dvec3 p = ringFrame(mm);
+    return minorMm - std::hypot(std::hypot(p.x, p.y) - majorMm, p.z);
+}
+
+glm::dvec3 Torus::normal(const glm::dvec3& mm) const {
+    // Away from the nearest point of the circle, which is where the circle's frame says.
+    const glm::dvec3 p = ringFrame(mm);
+    const double toAxis = std::hypot(p.x, p.y);
+    const double out = (toAxis - majorMm) / toAxis;
+    const glm::dvec3 n = glm::normalize(glm::dvec3(out * p.x, out * p.y, p.z));
+    const double lean = glm::radians(50.0);
+    return {n.x, std::cos(lean) * n.y - std::sin(lean) * n.z, std::cos(lean) * n.z + std::sin(lean) * n.y};
+}
+
+double Torus::curvatureAlong(const glm::dvec3& mm, const glm::dvec3& view) const {
+    const glm::dvec3 p = ringFrame(mm);
+    const glm::dvec3 v = ringFrame(view);
+    const glm::dvec3 n = ringFrame(normal(mm));
+    const double toAxis = std::hypot(p.x, p.y);
+    const double rho = std::hypot(toAxis - majorMm, p.z);
+    const double along = (p.x * v.y - p.y * v.x) / toAxis; // the view's part in the ring's direction
+    const glm::dvec3 tangent = v - glm::dot(n, v) * n;
+    const double square = glm::dot(tangent, tangent);
+    const double inRing = along * along / square;
+    const double cosine = (toAxis - majorMm) / rho;
+    return std::abs((1 - inRing) / rho + inRing * cosine / toAxis);
+}
+
+std::optional<double> Torus::frontMm(const glm::dvec2& mm) const {
+    const double reach = majorMm + 2 * minorMm;
+    double depth = -reach;
+    for (int step = 0; step < 10000 && depth < reach; ++step) {
+        const double toSurface = -value({mm, depth});
+        if (toSurface < 1e-12) {
+            return depth;
+        }
+        depth += toSurface; // a distance field: nothing is nearer
+    }
+    return std::nullopt;
+}
+
+AnalyticScene Torus::scene(int pixels) const {
+    const double reach = majorMm + minorMm;
+    const Grid grid = centredGrid(2 * static_cast<int>(std::ceil(reach)) + 9, 1);
+    const auto volume = sampleField(grid, [this](const glm::dvec3& mm) { return value(mm); });
+    AnalyticScene scene{"torus", plainFigure(volume, viewAlongZ(glm::dvec3(0), 2 * reach)), {}};
+    scene.request.size = {pixels, pixels};
+    scene.request.lattice = SampleLattice{0.1, 0.5, 0}; // the surface is found to a twentieth of a voxel
+    Transfer& transfer = transferOf(scene.figure);
+    transfer.kind = TransferKind::twoDimensional;
+    transfer.axes = {"value", "curvature"};
+    transfer.nodes.clear();
+    transfer.grid = TransferGrid{{volume->range().low}, {0, 2 / minorMm}, {{"#000000"}, {"#ffffff"}}};
+    transfer.opacity = {{0, 0}, {0, 1}};
     return scene;
 }
 

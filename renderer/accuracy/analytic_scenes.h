@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace limner::accuracy {
@@ -98,6 +99,41 @@ struct GaussianBlob {
 struct LitBall {
     double radiusVoxels = 45;
     [[nodiscard]] AnalyticScene scene(std::shared_ptr<const LitSphere> style, int pixels) const;
+};
+
+/// A4's contour: a ball in a field of its distance, drawn white with black contours. Its surface is a ramp of opacity
+/// two voxels wide, as in scans; one voxel is 1 mm, and so is one mm on paper. The picture is a strip along x through
+/// the middle, four pixels high.
+struct ContourBall {
+    double radiusMm = 50;
+    double thicknessMm = 5;
+    CurvatureEstimator curvature = CurvatureEstimator::hessian;
+    Projection projection = Projection::orthographic;
+    double eyeMm = 224; ///< perspective: distance of the eye from the middle
+    [[nodiscard]] AnalyticScene scene(double stepMm, double pixelMm) const;
+    /// Distance of the contour's inner end from the middle of the picture. Orthographic: R - T by the true curvature,
+    /// R^2 / (R + T) by two normals, whose angle is sin(phi) of the curvature's, phi the view's to the normal.
+    [[nodiscard]] double innerEndMm() const;
+    /// Distance of the ball's rim from the middle of the picture.
+    [[nodiscard]] double rimMm() const;
+    /// White share of the ball at a distance from the middle: 0 on the contour, 1 inside it; 0 outside the ball.
+    [[nodiscard]] double paper(double pictureMm) const;
+};
+
+/// A ring in a field of its distance, radiusMm - (distance to the circle of majorMm around the origin); 1 mm voxels.
+/// The ring's axis leans by 50 degrees from the view, so that inner and outer sides show.
+struct Torus {
+    double minorMm = 8;
+    double majorMm = 20;
+    /// White where the curvature along the view is 2 / minorMm, black where it is 0; opaque from the surface inwards.
+    [[nodiscard]] AnalyticScene scene(int pixels) const;
+    [[nodiscard]] double value(const glm::dvec3& mm) const;
+    [[nodiscard]] glm::dvec3 normal(const glm::dvec3& mm) const;
+    /// |kappa| of the level surface along the view: 1 / rho across the ring, cos(phi) / (distance to the axis) along
+    /// it, between them by Euler's formula; rho: distance to the circle, phi: from the ring's plane.
+    [[nodiscard]] double curvatureAlong(const glm::dvec3& mm, const glm::dvec3& view) const;
+    /// Depth along +z of the first point on the surface at (x, y).
+    [[nodiscard]] std::optional<double> frontMm(const glm::dvec2& mm) const;
 };
 
 } // namespace limner::accuracy
