@@ -123,7 +123,10 @@ class ShadeQueue {
 
   private:
     HWY_NOINLINE void shade(int count) {
-        const Vec3 q = {hn::Load(kF, x_), hn::Load(kF, y_), hn::Load(kF, z_)};
+        // Behind the last sample lies what was left of rays that had ended: it may be outside the volume.
+        const Mask waiting = hn::FirstN(kF, static_cast<std::size_t>(count));
+        const auto along = [&](const float* row) HWY_ATTR { return hn::IfThenElseZero(waiting, hn::Load(kF, row)); };
+        const Vec3 q = {along(x_), along(y_), along(z_)};
         const Place place = field_.locate(q, hn::FirstN(kF, hn::Lanes(kF)));
         Vec3 view = {splat(0), splat(0), splat(1)};
         if (scene_.perspective) {
