@@ -99,7 +99,7 @@ class LayerEvaluation {
         if (!contours.controlled) {
             return hn::Mul(splat(contours.fixedWidth), facts.trusted);
         }
-        const Floats curvature = contours.normals ? facts.turn : facts.bend;
+        const Floats curvature = contours.normals ? facts.turn(splat(contours.probeMm)) : facts.bend;
         const Floats thickness = hn::Mul(splat(contours.thicknessMm), facts.depth);
         return optics::contourWidth(Lanes{hn::Mul(thickness, curvature)}).v;
     }

@@ -2,7 +2,6 @@
 
 #include "core/base/error.h"
 #include "core/volume/gradient_choice.h"
-#include "core/volume/gradient_choice.h"
 
 #include <glm/geometric.hpp>
 

@@ -48,8 +48,9 @@ double noiseGain(const RenderPlan& plan) {
 
 /// Whether a layer asks how large a gradient is, beside its direction.
 bool readsGradientScale(const PlanLayer& layer) {
-    return readsNormal(layer) && (layer.shading != Shading::phong || layer.contours || layer.illustrative ||
-                                  readsAxis(layer, TransferAxis::gradient));
+    return readsNormal(layer) &&
+           (layer.shading != Shading::phong || layer.contours || layer.illustrative ||
+            readsAxis(layer, TransferAxis::gradient) || readsAxis(layer, TransferAxis::curvature));
 }
 
 void checkDrawable(const Figure& figure) {
