@@ -128,9 +128,9 @@ double axisPosition(const RenderPlan& plan, const PlanLayer& layer, TransferAxis
         return layer.distance ? trilinearAt(*layer.distance, facts.positionVoxel)
                               : glm::distance(plan.volume->grid().mmFromVoxel(facts.positionVoxel),
                                               layer.distanceFromMm.value_or(glm::dvec3(0)));
+    case TransferAxis::importance: return 0; // not measured: the plan says so
     case TransferAxis::value:
-    case TransferAxis::label:
-    case TransferAxis::importance: break;
+    case TransferAxis::label: break;
     }
     return facts.value;
 }
@@ -180,7 +180,7 @@ TransferSample transferAt(const RenderPlan& plan, const PlanLayer& layer, const 
     };
     const double first = at(firstAxis(transfer));
     if (transfer.kind == TransferKind::oneDimensional) {
-        sample.opacity = opacityAt(transfer.opacity, first);
+        sample.opacity = opacity2dAt(transfer, first, 0); // a label without a node of its own may be invisible
         const bool labelled = firstAxis(transfer) == TransferAxis::label;
         const double index =
             labelled ? table.rowIndex[static_cast<std::size_t>(row)] : nodeIndexAt(transfer.nodes, first);
@@ -188,11 +188,11 @@ TransferSample transferAt(const RenderPlan& plan, const PlanLayer& layer, const 
     } else {
         const double second = at(*secondAxis(transfer));
         sample.opacity = opacity2dAt(transfer, first, second);
-        const TransferGrid& grid = *transfer.grid;
-        const auto columns = static_cast<int>(grid.x.size());
+        const TransferGrid grid = transfer.grid.value_or(TransferGrid{});
+        const int columns = std::max(1, static_cast<int>(grid.x.size()));
         addNodes({gridIndexAt(grid.x, first, firstAxis(transfer) == TransferAxis::label), columns, 1},
                  {gridIndexAt(grid.y, second, *secondAxis(transfer) == TransferAxis::label),
-                  static_cast<int>(grid.y.size()), columns},
+                  std::max(1, static_cast<int>(grid.y.size())), columns},
                  sample);
     }
     sample.opacity = std::clamp(sample.opacity * layer.source->opacity, 0.0, 1.0);
