@@ -112,7 +112,6 @@ struct Facts {
     Floats trusted{};       ///< 0: the normal means nothing, 1: it is sound
     Floats unitMagnitude{}; ///< of the gradient, over the one that counts as 1
     Floats bend{};          ///< curvature along the view by the Hessian, 1/mm
-    Floats turn{};          ///< the same by two normals on the ray
     Floats depth{};         ///< distance along the view over the target's
 
     /// Measures what the scene's layers read, and nothing else.
@@ -125,10 +124,7 @@ struct Facts {
             trusted = trust(scene, normal.magnitude);
             unitMagnitude = hn::Min(hn::Mul(normal.magnitude, splat(scene.perGradientMax)), splat(1));
             if (scene.readsBend) {
-                bend = hn::Mul(trusted, bendAlongView());
-            }
-            if (scene.readsTurn) {
-                turn = hn::Mul(trusted, turnAlongView());
+                bend = gated(trusted, bendAlongView());
             }
             const float* d = scene.depthFromCell;
             depth = hn::Add(dot(q, {splat(d[0]), splat(d[1]), splat(d[2])}), splat(d[3]));
@@ -136,6 +132,24 @@ struct Facts {
         if (scene.labels != nullptr) {
             findMembers(scene.labels, place, place.template offsetsIn<1, VoxelField::kBytes>(), members);
         }
+    }
+
+    /// Curvature along the view by two normals on the ray, `probe` mm apart, 1/mm; 0 where one of them means nothing.
+    HWY_NOINLINE Floats turn(Floats probe) const {
+        const KernelScene& scene = field.scene;
+        const Vec3 step = turned(scene.cellFromEye, view);
+        const auto moved = [&](Floats from, Floats by, int axis) HWY_ATTR {
+            const Floats to = hn::MulAdd(by, probe, from);
+            return hn::Min(hn::Max(to, splat(0)), splat(scene.lastCell[axis]));
+        };
+        const Vec3 before = {moved(q.x, step.x, 0), moved(q.y, step.y, 1), moved(q.z, step.z, 2)};
+        const Place there = field.locate(before, hn::FirstN(kF, hn::Lanes(kF)));
+        const Normal other = normalAt(field, there, before, view);
+        const auto lanes = [](const Vec3& v) HWY_ATTR {
+            return optics::Vector3<Lanes>{Lanes{v.x}, Lanes{v.y}, Lanes{v.z}};
+        };
+        const Lanes curvature = optics::curvatureOfNormals(lanes(other.eye), lanes(normal.eye), Lanes{probe});
+        return gated(hn::Mul(trusted, trust(scene, other.magnitude)), curvature.v);
     }
 
     /// Trilinear number of an int16 store laid out as the voxels, as it is kept.
@@ -152,6 +166,11 @@ struct Facts {
     }
 
   private:
+    /// What is not trusted is 0, whatever it is.
+    static HWY_INLINE Floats gated(Floats trust, Floats v) {
+        return hn::IfThenElseZero(hn::Gt(trust, splat(0)), hn::Mul(trust, v));
+    }
+
     /// core/optics/contour.h, curvatureAlongView.
     HWY_NOINLINE Floats bendAlongView() const {
         const KernelScene& scene = field.scene;
@@ -166,23 +185,6 @@ struct Facts {
         return optics::curvatureAlongView(Lanes{hn::Mul(second.v, splat(scene.bendScale))},
                                           Lanes{dot(tangent, tangent)}, Lanes{normal.magnitude})
             .v;
-    }
-
-    HWY_NOINLINE Floats turnAlongView() const {
-        const KernelScene& scene = field.scene;
-        const Floats towards = splat(scene.probeMm);
-        const Vec3 step = turned(scene.cellFromEye, view);
-        const auto moved = [&](Floats from, Floats by, int axis) HWY_ATTR {
-            const Floats to = hn::MulAdd(by, towards, from);
-            return hn::Min(hn::Max(to, splat(0)), splat(scene.lastCell[axis]));
-        };
-        const Vec3 before = {moved(q.x, step.x, 0), moved(q.y, step.y, 1), moved(q.z, step.z, 2)};
-        const Place there = field.locate(before, hn::FirstN(kF, hn::Lanes(kF)));
-        const Normal other = normalAt(field, there, before, view);
-        const auto lanes = [](const Vec3& v) HWY_ATTR {
-            return optics::Vector3<Lanes>{Lanes{v.x}, Lanes{v.y}, Lanes{v.z}};
-        };
-        return optics::curvatureOfNormals(lanes(other.eye), lanes(normal.eye), Lanes{towards}).v;
     }
 };
 

@@ -30,6 +30,7 @@ struct KernelContours {
     bool normals = false; ///< curvature by two normals
     float thicknessMm = 0;
     float fixedWidth = 0;
+    float probeMm = 1; ///< between the two normals
 };
 
 struct KernelLayer {
@@ -115,8 +116,6 @@ struct KernelScene {
     bool readsNormal = false;        ///< some layer does
     bool readsGradientScale = false; ///< beside the normal's direction
     bool readsBend = false;
-    bool readsTurn = false;
-    float probeMm = 1;                    ///< between the two normals of a turn
     float cellFromEye[3][3]{};            ///< 1 mm in eye space, in cells
     float depthFromCell[4]{0, 0, 0, 1};   ///< depth over the target's, linear in the position
     const std::uint8_t* labels = nullptr; ///< label slots, uint8, laid out as the voxels

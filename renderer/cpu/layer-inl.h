@@ -99,7 +99,7 @@ class LayerEvaluation {
         if (!contours.controlled) {
             return hn::Mul(splat(contours.fixedWidth), facts.trusted);
         }
-        const Floats curvature = contours.normals ? facts.turn : facts.bend;
+        const Floats curvature = contours.normals ? facts.turn(splat(contours.probeMm)) : facts.bend;
         const Floats thickness = hn::Mul(splat(contours.thicknessMm), facts.depth);
         return optics::contourWidth(Lanes{hn::Mul(thickness, curvature)}).v;
     }
@@ -114,9 +114,9 @@ class LayerEvaluation {
             raw = axis.bricks != nullptr ? facts.other(axis.bricks) : distance(axis, facts.q);
             break;
         case TransferAxis::second: raw = facts.other(axis.bricks); break;
+        case TransferAxis::importance: raw = splat(0); break; // not measured: the plan says so
         case TransferAxis::value:
-        case TransferAxis::label:
-        case TransferAxis::importance: break;
+        case TransferAxis::label: break;
         }
         const Floats entry = hn::MulAdd(raw, splat(axis.scale), splat(axis.bias));
         return hn::Min(hn::Max(entry, splat(0)), splat(axis.last));

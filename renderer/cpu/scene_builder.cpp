@@ -101,13 +101,7 @@ void BuiltScene::setGradients(const RenderPlan& plan) {
     for (const PlanLayer& layer : plan.layers) {
         scene_.readsNormal = scene_.readsNormal || readsNormal(layer);
         scene_.readsGradientScale = scene_.readsGradientScale || readsGradientScale(layer);
-        const bool turn = layer.contours && layer.contours->curvatureControlled &&
-                          layer.contours->curvature == CurvatureEstimator::normals;
-        scene_.readsTurn = scene_.readsTurn || turn;
-        scene_.readsBend = scene_.readsBend || (readsCurvature(layer) && !turn);
-        if (turn) {
-            scene_.probeMm = static_cast<float>(layer.contours->probeMm);
-        }
+        scene_.readsBend = scene_.readsBend || readsSecondDerivatives(layer);
     }
 }
 
@@ -257,9 +251,12 @@ void BuiltScene::addLook(const RenderPlan& plan, const PlanLayer& layer, KernelL
     out.twoSided = layer.twoSided;
     out.illustrative = layer.illustrative;
     if (layer.contours) {
-        out.contours = {
-            true, layer.contours->curvatureControlled, layer.contours->curvature == CurvatureEstimator::normals,
-            static_cast<float>(layer.contours->thicknessMm), static_cast<float>(layer.contours->fixedWidth)};
+        out.contours = {true,
+                        layer.contours->curvatureControlled,
+                        layer.contours->curvature == CurvatureEstimator::normals,
+                        static_cast<float>(layer.contours->thicknessMm),
+                        static_cast<float>(layer.contours->fixedWidth),
+                        static_cast<float>(layer.contours->probeMm)};
     }
     if (layer.shading != Shading::style) {
         out.specularStrength = static_cast<float>(layer.specular.strength);

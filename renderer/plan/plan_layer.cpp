@@ -130,6 +130,12 @@ bool readsCurvature(const PlanLayer& layer) {
     return (layer.contours && layer.contours->curvatureControlled) || readsAxis(layer, TransferAxis::curvature);
 }
 
+bool readsSecondDerivatives(const PlanLayer& layer) {
+    const bool byContours = layer.contours && layer.contours->curvatureControlled &&
+                            layer.contours->curvature == CurvatureEstimator::hessian;
+    return byContours || readsAxis(layer, TransferAxis::curvature);
+}
+
 bool readsLabels(const PlanLayer& layer) { return !layer.shownSlots.empty() || !layer.rowOfSlot.empty(); }
 
 bool opacityByValue(const PlanLayer& layer) {

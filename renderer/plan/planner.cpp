@@ -188,6 +188,9 @@ std::shared_ptr<const RenderPlan> Planner::plan(const Figure& figure, const Plan
 void Planner::addLayers(RenderPlan& plan, const PlanRequest& request) {
     const LayerSurroundings around{*plan.figure, *plan.volume, cache_->fields.axisRanges(plan), plan.size};
     for (const Layer& layer : plan.figure->layers) {
+        if (!layer.visible) {
+            continue; // no part of the picture: to keep it in would draw it
+        }
         PlanLayer planned = planLayer(layer, around);
         if (!request.omit || showsAnything(layer, planned.table)) {
             planned.stepOpacity = stepOpacity(planned.table.opacity, plan.lattice.stepMm / plan.referenceLengthMm);

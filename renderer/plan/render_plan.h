@@ -80,6 +80,8 @@ bool readsNormal(const PlanLayer& layer);
 /// Whether it asks how large a gradient is, beside its direction.
 bool readsGradientScale(const PlanLayer& layer);
 bool readsCurvature(const PlanLayer& layer);
+/// Curvature by second derivatives: an axis always, contours by their choice.
+bool readsSecondDerivatives(const PlanLayer& layer);
 bool readsLabels(const PlanLayer& layer);
 /// Whether a sample's opacity follows from its value alone, so that it is known before the sample is shaded.
 bool opacityByValue(const PlanLayer& layer);

@@ -44,21 +44,20 @@ double bendAt(const RenderPlan& plan, const glm::dvec3& positionVoxel, const Nor
     return optics::curvatureAlongView(second, glm::dot(tangent, tangent), magnitude);
 }
 
-double turnAt(const RenderPlan& plan, const Ray& ray, double positionMm, const Normal& normalEye) {
-    double probeMm = 0;
-    for (const PlanLayer& layer : plan.layers) {
-        probeMm = layer.contours ? std::max(probeMm, layer.contours->probeMm) : probeMm;
-    }
-    const Normal before = unitNormal(eyeGradient(plan, ray.positionVoxel(positionMm - probeMm)));
-    return probeMm > 0 ? optics::curvatureOfNormals(before, normalEye, probeMm) : 0;
+/// Curvature by this normal and the one `probeMm` before; 0 where one of them means nothing.
+double turnAt(const RenderPlan& plan, const Ray& ray, const glm::dvec3& positionVoxel, double probeMm) {
+    const glm::dvec3 here = eyeGradient(plan, positionVoxel);
+    const glm::dvec3 before = eyeGradient(plan, positionVoxel - probeMm * ray.directionVoxel);
+    const auto trust = [&](const glm::dvec3& g) {
+        return optics::normalDefinedness(std::hypot(g.x, g.y, g.z), plan.gradientFloor);
+    };
+    return trust(here) * trust(before) * optics::curvatureOfNormals(unitNormal(before), unitNormal(here), probeMm);
 }
 
 bool readsTurn(const PlanLayer& layer) {
     return layer.contours && layer.contours->curvatureControlled &&
            layer.contours->curvature == CurvatureEstimator::normals;
 }
-
-bool readsBend(const PlanLayer& layer) { return readsCurvature(layer) && !readsTurn(layer); }
 
 SurfaceSample surfaceSample(const RenderPlan& plan, const Ray& ray, double positionMm) {
     const glm::dvec3 position = ray.positionVoxel(positionMm);
@@ -70,11 +69,8 @@ SurfaceSample surfaceSample(const RenderPlan& plan, const Ray& ray, double posit
         optics::normalInRayFrame<double>(normalEye, {ray.directionEye.x, ray.directionEye.y, ray.directionEye.z});
     sample.definedness = optics::normalDefinedness(magnitude, plan.gradientFloor);
     sample.magnitude = magnitude / plan.gradientMax;
-    if (anyLayer(plan, readsBend)) {
+    if (anyLayer(plan, readsSecondDerivatives)) {
         sample.bend = sample.definedness * bendAt(plan, position, normalEye, -ray.directionEye, magnitude);
-    }
-    if (anyLayer(plan, readsTurn)) {
-        sample.turn = sample.definedness * turnAt(plan, ray, positionMm, normalEye);
     }
     return sample;
 }
@@ -103,6 +99,12 @@ std::vector<std::pair<int, double>> membershipAt(const Volume& slots, const glm:
     return members;
 }
 
+double turnOf(const SampleFacts& facts, double probeMm) {
+    const auto found =
+        std::find_if(facts.turns.begin(), facts.turns.end(), [&](const auto& turn) { return turn.first == probeMm; });
+    return found->second;
+}
+
 /// Where a layer's contours end at this sample, |n.v|; 0: it has none.
 double contourWidthAt(const PlanLayer& layer, const SampleFacts& facts) {
     if (!layer.contours) {
@@ -112,8 +114,7 @@ double contourWidthAt(const PlanLayer& layer, const SampleFacts& facts) {
     if (!contours.curvatureControlled) {
         return contours.fixedWidth * facts.surface.definedness;
     }
-    const double curvature =
-        contours.curvature == CurvatureEstimator::normals ? facts.surface.turn : facts.surface.bend;
+    const double curvature = readsTurn(layer) ? turnOf(facts, contours.probeMm) : facts.surface.bend;
     return optics::contourWidth(contours.thicknessMm * facts.depth * curvature);
 }
 
@@ -127,9 +128,9 @@ double axisPosition(const RenderPlan& plan, const PlanLayer& layer, TransferAxis
         return layer.distance ? trilinearAt(*layer.distance, facts.positionVoxel)
                               : glm::distance(plan.volume->grid().mmFromVoxel(facts.positionVoxel),
                                               layer.distanceFromMm.value_or(glm::dvec3(0)));
+    case TransferAxis::importance: return 0; // not measured: the plan says so
     case TransferAxis::value:
-    case TransferAxis::label:
-    case TransferAxis::importance: break;
+    case TransferAxis::label: break;
     }
     return facts.value;
 }
@@ -179,7 +180,7 @@ TransferSample transferAt(const RenderPlan& plan, const PlanLayer& layer, const 
     };
     const double first = at(firstAxis(transfer));
     if (transfer.kind == TransferKind::oneDimensional) {
-        sample.opacity = opacityAt(transfer.opacity, first);
+        sample.opacity = opacity2dAt(transfer, first, 0); // a label without a node of its own may be invisible
         const bool labelled = firstAxis(transfer) == TransferAxis::label;
         const double index =
             labelled ? table.rowIndex[static_cast<std::size_t>(row)] : nodeIndexAt(transfer.nodes, first);
@@ -187,11 +188,11 @@ TransferSample transferAt(const RenderPlan& plan, const PlanLayer& layer, const 
     } else {
         const double second = at(*secondAxis(transfer));
         sample.opacity = opacity2dAt(transfer, first, second);
-        const TransferGrid& grid = *transfer.grid;
-        const auto columns = static_cast<int>(grid.x.size());
+        const TransferGrid grid = transfer.grid.value_or(TransferGrid{});
+        const int columns = std::max(1, static_cast<int>(grid.x.size()));
         addNodes({gridIndexAt(grid.x, first, firstAxis(transfer) == TransferAxis::label), columns, 1},
                  {gridIndexAt(grid.y, second, *secondAxis(transfer) == TransferAxis::label),
-                  static_cast<int>(grid.y.size()), columns},
+                  std::max(1, static_cast<int>(grid.y.size())), columns},
                  sample);
     }
     sample.opacity = std::clamp(sample.opacity * layer.source->opacity, 0.0, 1.0);
@@ -260,7 +261,7 @@ LayerSample shadeRow(const RenderPlan& plan, const PlanLayer& layer, const Sampl
 SampleFacts sampleFacts(const RenderPlan& plan, const Ray& ray, double positionMm, double value) {
     SampleFacts facts;
     facts.value = value;
-    facts.positionVoxel = ray.positionVoxel(positionMm);
+    facts.positionVoxel = glm::min(ray.positionVoxel(positionMm), glm::dvec3(plan.volume->grid().dims - 1));
     if (plan.rays.perspective) {
         // Along the view's middle; 1 at the target plane, where a pixel is as wide as planned.
         const glm::dvec3 fromEye = plan.rays.mmFromVoxel * (facts.positionVoxel - plan.rays.originVoxel);
@@ -269,6 +270,12 @@ SampleFacts sampleFacts(const RenderPlan& plan, const Ray& ray, double positionM
     }
     if (anyLayer(plan, readsNormal)) {
         facts.surface = surfaceSample(plan, ray, positionMm);
+    }
+    for (const PlanLayer& layer : plan.layers) {
+        if (readsTurn(layer)) {
+            facts.turns.emplace_back(layer.contours->probeMm,
+                                     turnAt(plan, ray, facts.positionVoxel, layer.contours->probeMm));
+        }
     }
     if (plan.labels) {
         facts.membership = membershipAt(*plan.labels, facts.positionVoxel);

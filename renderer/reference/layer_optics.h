@@ -15,15 +15,15 @@ struct SurfaceSample {
     double definedness = 0;                     ///< 0: no normal, 1: a sound one
     double magnitude = 0;                       ///< of the gradient, over the plan's gradientMax
     double bend = 0;                            ///< curvature along the view by the Hessian, 1/mm
-    double turn = 0;                            ///< the same by two normals on the ray
 };
 
 /// What the layers read at one sample.
 struct SampleFacts {
     double value = 0;
-    glm::dvec3 positionVoxel{0};
-    double depth = 1; ///< distance along the view over the target's; 1 throughout in orthographic views
+    glm::dvec3 positionVoxel{0}; ///< past an axis' last centre: moved onto it, as for the fields
+    double depth = 1;            ///< distance along the view over the target's; 1 throughout in orthographic views
     SurfaceSample surface;
+    std::vector<std::pair<double, double>> turns; ///< by their distance, mm: curvature by two normals on the ray, 1/mm
     std::vector<std::pair<int, double>>
         membership; ///< label slot and its trilinear weight; empty: no layer reads labels
 };

@@ -7,7 +7,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <cstring>
 #include <thread>
 
 // What every backend promises beside the picture itself: tiles, threads, sub-pixels, layers, cancellation.
@@ -59,23 +58,6 @@ AnalyticScene head(int pixels) {
     return scene;
 }
 
-Picture renderTiles(const Backend& backend, const RenderPlan& plan, glm::ivec2 tiles) {
-    Picture whole(plan.size);
-    Task task;
-    for (int ty = 0; ty < tiles.y; ++ty) {
-        for (int tx = 0; tx < tiles.x; ++tx) {
-            const glm::ivec2 from = plan.size * glm::ivec2(tx, ty) / tiles;
-            const glm::ivec2 to = plan.size * glm::ivec2(tx + 1, ty + 1) / tiles;
-            const Picture tile = backend.render(plan, {from, to - from}, task).picture;
-            for (int y = 0; y < tile.size().y; ++y) {
-                std::memcpy(whole.pixel(from.x, from.y + y), tile.pixel(0, y),
-                            static_cast<std::size_t>(tile.size().x) * 4 * sizeof(float));
-            }
-        }
-    }
-    return whole;
-}
-
 TEST_P(BackendContract, OneTileIsThirtyFiveBitForBit) {
     for (const int subPixels : {1, 2}) {
         AnalyticScene scene = head(isReference() ? 41 : 149);
@@ -84,7 +66,7 @@ TEST_P(BackendContract, OneTileIsThirtyFiveBitForBit) {
         const Picture whole = renderWhole(backend(), *plan);
         EXPECT_EQ(testing::unsoundPixels(whole), 0);
         EXPECT_GT(whole.pixel(whole.size().x / 2, whole.size().y / 2)[3], 0);
-        EXPECT_TRUE(testing::sameBits(whole, renderTiles(backend(), *plan, {7, 5})));
+        EXPECT_TRUE(testing::sameBits(whole, testing::renderTiles(backend(), *plan, {7, 5})));
     }
 }
 

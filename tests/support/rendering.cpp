@@ -24,6 +24,23 @@ Picture renderWhole(const Backend& backend, const accuracy::AnalyticScene& scene
     return renderWhole(backend, *planOf(scene));
 }
 
+Picture renderTiles(const Backend& backend, const RenderPlan& plan, glm::ivec2 tiles) {
+    Picture whole(plan.size);
+    Task task;
+    for (int ty = 0; ty < tiles.y; ++ty) {
+        for (int tx = 0; tx < tiles.x; ++tx) {
+            const glm::ivec2 from = plan.size * glm::ivec2(tx, ty) / tiles;
+            const glm::ivec2 to = plan.size * glm::ivec2(tx + 1, ty + 1) / tiles;
+            const Picture tile = backend.render(plan, {from, to - from}, task).picture;
+            for (int y = 0; y < tile.size().y; ++y) {
+                std::memcpy(whole.pixel(from.x, from.y + y), tile.pixel(0, y),
+                            static_cast<std::size_t>(tile.size().x) * 4 * sizeof(float));
+            }
+        }
+    }
+    return whole;
+}
+
 double rootMeanSquare(const Picture& a, const Picture& b) {
     EXPECT_EQ(a.size(), b.size());
     double sum = 0;

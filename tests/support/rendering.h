@@ -17,6 +17,9 @@ std::shared_ptr<const RenderPlan> planOf(const accuracy::AnalyticScene& scene);
 Picture renderWhole(const Backend& backend, const RenderPlan& plan);
 Picture renderWhole(const Backend& backend, const accuracy::AnalyticScene& scene);
 
+/// The same, put together from tiles: so many across and down.
+Picture renderTiles(const Backend& backend, const RenderPlan& plan, glm::ivec2 tiles);
+
 /// Root of the mean square over pixels and channels.
 double rootMeanSquare(const Picture& a, const Picture& b);
 double largestDifference(const Picture& a, const Picture& b);

@@ -85,6 +85,18 @@ TEST_F(PlannerTest, PartsThatAreNotUsedAreNotInThePlan) {
     EXPECT_EQ(makeCpuBackend()->render(*plan(figure), {{0, 0}, {64, 64}}, task_).samples, 0U);
 }
 
+TEST_F(PlannerTest, HiddenLayersAreInNoPlan) {
+    Figure figure = headFigure();
+    figure.layers.push_back(figure.layers[0]);
+    figure.layers[0].visible = false;
+    figure.layers[1].opacity = 0;
+    PlanRequest request;
+    request.size = {64, 64};
+    EXPECT_TRUE(planner_.plan(figure, request, task_)->layers.empty());
+    request.omit = false;
+    EXPECT_EQ(planner_.plan(figure, request, task_)->layers.size(), 1U);
+}
+
 TEST_F(PlannerTest, PlainColoursInAStyleLayerAreFlatUnlessAStyleIsThere) {
     Figure figure = headFigure();
     figure.layers[0].transfer.nodes = {{0, "", glm::dvec3(1, 0, 0)}, {1000, "", glm::dvec3(0, 1, 0)}};
