@@ -1,22 +1,20 @@
 #pragma once
 
 #include "core/project/history.h"
-#include "widgets/gesture_key.h"
 #include "widgets/style_ball_cache.h"
 
 #include <QWidget>
 
 #include <memory>
 
-class QComboBox;
-class QDoubleSpinBox;
 class QListWidget;
 class QListWidgetItem;
-class QSlider;
 
 namespace limner {
 
-/// The figure's layers: which is selected, which show, and the selected one's opacity and shading.
+class LayerForm;
+
+/// The figure's layers: which is selected, which show, and how the selected one is drawn.
 class LayerList : public QWidget {
     Q_OBJECT
 
@@ -26,7 +24,7 @@ class LayerList : public QWidget {
     void setFigure(std::shared_ptr<const Figure> figure);
     [[nodiscard]] std::size_t selectedLayer() const { return selected_; }
     [[nodiscard]] QListWidget* list() const { return list_; }
-    [[nodiscard]] QSlider* opacity() const { return slider_; }
+    [[nodiscard]] LayerForm* form() const { return form_; }
 
   Q_SIGNALS:
     void edited(const limner::Edit& edit);
@@ -34,18 +32,13 @@ class LayerList : public QWidget {
 
   private:
     void itemChanged(const QListWidgetItem* item);
-    void showSelected();
-    void emitLayer(std::size_t index, const Layer& layer, const QString& label, const std::string& key, bool ongoing);
-    void setOpacity(double opacity, bool ongoing);
+    void emitLayer(std::size_t index, const Layer& layer, const QString& label);
 
     QListWidget* list_;
-    QSlider* slider_;
-    QDoubleSpinBox* percent_;
-    QComboBox* shading_;
+    LayerForm* form_;
     std::shared_ptr<const Figure> figure_;
     std::size_t selected_ = 0;
     bool filling_ = false;
-    GestureKey key_;
     StyleBallCache balls_;
 };
 

@@ -133,6 +133,7 @@ void MainWindow::buildMenus() {
     add("view", tr("&View"));
     menuBar()->addMenu(presets_);
     menuBar()->addMenu(themes_);
+    add("background", tr("Back&ground"));
     add("panels", tr("Pa&nels"));
     add("help", tr("&Help"));
     for (const ActionRow& row : actionTable()) {
@@ -221,6 +222,8 @@ void MainWindow::connectActions() {
     on("view.zoom-out", [this] { viewport_->zoomBy(1 / kZoomStep); });
     on("view.free-turning",
        [this](bool freely) { viewport_->setTurnMode(freely ? TurnMode::trackball : TurnMode::turntable); });
+    on("background.paper", [this] { choosePaper(); });
+    on("background.picture", [this] { chooseBackgroundPicture(); });
     on("help.about", [this] { showAbout(); });
     connect(presets_, &PresetMenu::chosen, this, &MainWindow::usePreset);
     connect(themes_, &ThemeMenu::chosen, this, &MainWindow::useTheme);
@@ -251,9 +254,10 @@ void MainWindow::documentChanged() {
     const std::shared_ptr<const Figure> figure = document_->figure();
     const bool any = figure != nullptr;
     pages_->setCurrentWidget(any ? static_cast<QWidget*>(viewport_) : welcome_);
-    for (const char* id : {"file.save", "file.save-as", "file.export", "file.close", "edit.copy-picture",
-                           "view.anterior", "view.posterior", "view.left", "view.right", "view.superior",
-                           "view.inferior", "view.three-quarter", "view.fit", "view.zoom-in", "view.zoom-out"})
+    for (const char* id :
+         {"file.save", "file.save-as", "file.export", "file.close", "edit.copy-picture", "view.anterior",
+          "view.posterior", "view.left", "view.right", "view.superior", "view.inferior", "view.three-quarter",
+          "view.fit", "view.zoom-in", "view.zoom-out", "background.paper", "background.picture"})
         actions_->at(id)->setEnabled(any);
     const bool drawable = any && figure->volume && figure->volume->data;
     presets_->setEnabled(drawable);

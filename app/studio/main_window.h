@@ -56,6 +56,10 @@ class MainWindow : public QMainWindow {
     void exportPath(const std::filesystem::path& path, const ExportDialog::Choice& choice);
     void usePreset(const QString& id, const QString& name);
     void useTheme(const QString& id, const QString& name);
+    /// A plain paper; takes a background picture away.
+    void usePaper(const QColor& colour);
+    /// Lays the figure over a picture; the paper shows where that is clear.
+    void useBackgroundPicture(const std::filesystem::path& path);
     /// Reads a label volume for the open scan; its layers stay as they are.
     void openLabelsPath(const std::filesystem::path& path);
 
@@ -67,7 +71,7 @@ class MainWindow : public QMainWindow {
     [[nodiscard]] LayerList& layers() { return *layers_; }
     [[nodiscard]] LabelList& labels() { return *labels_; }
     [[nodiscard]] NoticeBar& notices() { return *notices_; }
-    /// Whether a job of the window (import, labels, save, export, preset, theme) is under way.
+    /// Whether a job of the window (import, labels, save, export, preset, theme, background) is under way.
     [[nodiscard]] bool busy() const;
 
     enum class Answer { save, discard, cancel };
@@ -108,6 +112,8 @@ class MainWindow : public QMainWindow {
     void save();
     void saveAs();
     void chooseAndExport();
+    void choosePaper();
+    void chooseBackgroundPicture();
     void copyPicture();
     void showError(const Error& error);
     void showAbout();
@@ -138,7 +144,7 @@ class MainWindow : public QMainWindow {
     QMenu* recent_;
     ProgressStrip* progress_;
     QLabel* facts_;
-    QPointer<Job> openJob_, saveJob_, exportJob_, lookJob_, labelJob_, resourceJob_;
+    QPointer<Job> openJob_, saveJob_, exportJob_, lookJob_, labelJob_, backgroundJob_, resourceJob_;
     std::shared_ptr<const Figure> wanted_; ///< what the newest request to the feed shows
     QSize wantedPixels_;
     bool wantedDraft_ = false;

@@ -144,6 +144,53 @@ TEST(Studio, OpensLabelsForTheScan) {
     EXPECT_TRUE(studio.window->labels().isHidden());
 }
 
+/// What stands in the corner of the shown picture.
+bool waitForCorner(Studio& studio, const QColor& colour) {
+    return pumpUntil([&] {
+        const auto& picture = studio.window->viewport().picture();
+        return picture && picture->image.pixelColor(0, 0) == colour;
+    });
+}
+
+/// Paper and picture are a step each; a picture that cannot be read changes nothing.
+TEST(Studio, TheBackgroundCanBeChosen) {
+    Studio studio;
+    EXPECT_FALSE(studio.window->actions().at("background.paper")->isEnabled());
+    EXPECT_FALSE(studio.window->actions().at("background.picture")->isEnabled());
+    ASSERT_TRUE(studio.openSample());
+    const Figure start = studio.figure();
+    const QTemporaryDir folder;
+    const std::filesystem::path file = folder.filePath("sheet.png").toStdString();
+    QImage sheet(40, 30, QImage::Format_RGB32);
+    sheet.fill(QColor(20, 200, 90));
+    ASSERT_TRUE(sheet.save(QString::fromStdString(file.string())));
+
+    studio.window->useBackgroundPicture(file);
+    ASSERT_TRUE(pumpUntil([&] { return !studio.window->busy(); }));
+    EXPECT_EQ(studio.figure().background.kind, "image");
+    EXPECT_EQ(studio.figure().background.rgba, start.background.rgba);
+    EXPECT_TRUE(waitForCorner(studio, QColor(20, 200, 90)));
+    const Figure withPicture = studio.figure();
+
+    studio.window->usePaper(QColor(255, 0, 51));
+    EXPECT_EQ(studio.figure().background.kind, "colour");
+    EXPECT_EQ(studio.figure().background.picture, nullptr);
+    EXPECT_TRUE(waitForCorner(studio, QColor(255, 0, 51)));
+    EXPECT_EQ(studio.window->document().history().position(), 2U);
+    studio.trigger("edit.undo");
+    EXPECT_EQ(studio.figure(), withPicture);
+    studio.trigger("edit.undo");
+    EXPECT_EQ(studio.figure(), start);
+
+    studio.window->useBackgroundPicture(file.string() + ".none");
+    ASSERT_TRUE(pumpUntil([&] { return !studio.window->busy(); }));
+    EXPECT_EQ(studio.figure(), start);
+    auto* box = studio.window->findChild<QMessageBox*>();
+    ASSERT_NE(box, nullptr);
+    EXPECT_TRUE(box->detailedText().contains("no such file"));
+    box->close();
+}
+
 /// A preset keeps the camera.
 void choosePreset(Studio& studio, const Figure& start) {
     studio.window->usePreset("skull", "Skull");
@@ -161,14 +208,10 @@ void chooseTheme(Studio& studio) {
     ASSERT_NE(action, nullptr);
     action->trigger();
     ASSERT_TRUE(pumpUntil([&] { return !studio.window->busy(); }));
-    EXPECT_EQ(studio.figure().layers, before.layers);
+    EXPECT_EQ(studio.figure().layers.at(0).transfer, before.layers.at(0).transfer);
     EXPECT_NE(studio.figure().styles, before.styles);
     EXPECT_LT(studio.figure().background.rgba.g, 0.3);
-    const QRgb corner = qRgb(0x22, 0x30, 0x2c);
-    EXPECT_TRUE(pumpUntil([&] {
-        const auto& picture = studio.window->viewport().picture();
-        return picture && (picture->image.pixel(0, 0) & 0xffffffU) == (corner & 0xffffffU);
-    }));
+    EXPECT_TRUE(waitForCorner(studio, QColor(0x22, 0x30, 0x2c)));
     studio.trigger("edit.undo");
     EXPECT_EQ(studio.figure(), before);
     studio.trigger("edit.redo");

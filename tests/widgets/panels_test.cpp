@@ -1,3 +1,4 @@
+#include "widgets/layer_form.h"
 #include "widgets/layer_list.h"
 #include "widgets/progress_strip.h"
 #include "widgets/style_gallery.h"
@@ -10,6 +11,9 @@
 
 #include <gtest/gtest.h>
 
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QSlider>
@@ -117,12 +121,87 @@ TEST(LayerList, TheCheckMarkHidesAndTheSliderMerges) {
     list.list()->setCurrentRow(1);
     EXPECT_EQ(selected, 1U);
     for (int value = 190; value >= 100; value -= 10)
-        list.opacity()->setValue(value);
+        list.form()->opacity()->setValue(value);
     EXPECT_EQ(history.current()->layers[1].opacity, 0.5);
     EXPECT_EQ(history.current()->layers[0].opacity, 1);
     EXPECT_EQ(history.position(), 2U) << "one step for the check mark, one for the slider";
     list.list()->item(0)->setText("Skeleton");
     EXPECT_EQ(history.current()->layers[0].name, "Skeleton");
+}
+
+/// A form over a history, as the window joins them.
+struct LayerFormOnHistory {
+    LayerFormOnHistory() {
+        QObject::connect(&form, &LayerForm::edited, [this](const Edit& edit) {
+            history.apply(edit);
+            show();
+        });
+        form.show();
+        show();
+    }
+    void show() { form.setFigure(history.current(), 1); }
+    void undo() {
+        history.undo();
+        show();
+    }
+    [[nodiscard]] const Layer& layer() const { return history.current()->layers[1]; }
+    History history{testing::smallFigure()};
+    LayerForm form;
+};
+
+TEST(LayerForm, ContoursComeAndGoWithTheirPen) {
+    LayerFormOnHistory on;
+    const Figure start = *on.history.current();
+    EXPECT_FALSE(on.form.contours()->isChecked());
+    EXPECT_FALSE(on.form.thickness()->isEnabled());
+    EXPECT_FALSE(on.form.evenWidth()->isEnabled());
+    QTest::mouseClick(on.form.contours(), Qt::LeftButton, {}, QPoint(8, on.form.contours()->height() / 2));
+    EXPECT_EQ(on.layer().contours, Contours{});
+    for (const double mm : {0.7, 0.5, 0.35})
+        on.form.thickness()->setValue(mm);
+    EXPECT_EQ(on.layer().contours, Contours{.thicknessMm = 0.35});
+    on.form.evenWidth()->click();
+    EXPECT_EQ(on.layer().contours, (Contours{.thicknessMm = 0.35, .curvatureControlled = false}));
+    EXPECT_EQ(on.history.position(), 3U) << "the thickness is one step";
+    on.form.contours()->click();
+    EXPECT_FALSE(on.layer().contours);
+    on.form.contours()->click();
+    EXPECT_EQ(on.layer().contours, (Contours{.thicknessMm = 0.35, .curvatureControlled = false}))
+        << "the pen is where it was left";
+    EXPECT_FALSE(on.history.current()->layers[0].contours) << "of another layer";
+    for (int i = 0; i < 5; ++i)
+        on.undo();
+    EXPECT_EQ(*on.history.current(), start);
+    EXPECT_FALSE(on.form.contours()->isChecked());
+}
+
+TEST(LayerForm, WhatItDoesNotShowStays) {
+    LayerFormOnHistory on;
+    Edit edit{*on.history.current(), "", {}, false};
+    const Contours fine{.thicknessMm = 0.12345,
+                        .curvature = CurvatureEstimator::normals,
+                        .probeVoxels = 2}; // finer than the field shows
+    edit.figure.layers[1].contours = fine;
+    on.history.apply(edit);
+    on.show();
+    EXPECT_EQ(on.layer().contours, fine) << "showing is no edit";
+    on.form.evenWidth()->click();
+    EXPECT_EQ(on.layer().contours->thicknessMm, fine.thicknessMm);
+    on.form.thickness()->setValue(0.5);
+    EXPECT_EQ(on.layer().contours, (Contours{0.5, false, CurvatureEstimator::normals, 2}));
+}
+
+TEST(LayerForm, TransparencyIsAStep) {
+    LayerFormOnHistory on;
+    on.form.transparency()->setFocus();
+    QTest::keyClick(on.form.transparency(), Qt::Key_Down);
+    EXPECT_EQ(on.layer().transparency, Transparency::illustrative);
+    EXPECT_EQ(on.history.position(), 1U);
+    on.undo();
+    EXPECT_EQ(on.layer().transparency, Transparency::uniform);
+    EXPECT_EQ(on.form.transparency()->currentText(), "Uniform");
+    on.form.setFigure(nullptr, 0);
+    EXPECT_FALSE(on.form.isEnabled());
 }
 
 TEST(StyleImage, ABallShowsTheSphereAndNothingAround) {
