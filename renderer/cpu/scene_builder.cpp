@@ -50,7 +50,11 @@ void BuiltScene::setVolume(const RenderPlan& plan) {
     scene_.type = field.type();
     scene_.spline = plan.interpolation != Interpolation::linear;
     // A store beside the voxels may take more room than they do.
-    const std::size_t largest = std::max(field.bytes(), plan.gradientField->bytes());
+    std::size_t largest = std::max(field.bytes(), plan.gradientField->bytes());
+    largest = std::max(largest, plan.secondVolume ? plan.secondVolume->bytes() : 0);
+    for (const PlanLayer& layer : plan.layers) {
+        largest = std::max(largest, layer.distance ? layer.distance->bytes() : 0);
+    }
     scene_.wide = largest > static_cast<std::size_t>(std::numeric_limits<std::uint32_t>::max());
     scene_.brickStep[0] = 1;
     scene_.brickStep[1] = field.layout().bricks.x;
