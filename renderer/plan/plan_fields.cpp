@@ -45,7 +45,9 @@ std::map<int, std::uint8_t> slotsOf(const RenderPlan& plan) {
 std::vector<std::uint8_t> shownSlots(const Layer& layer, const std::map<int, std::uint8_t>& slots) {
     std::vector<std::uint8_t> shown(std::numeric_limits<std::uint8_t>::max() + 1, 0);
     for (const int label : *layer.labels) {
-        shown[slots.at(label)] = 1;
+        if (const auto slot = slots.find(label); slot != slots.end()) { // no voxel has a label below 0
+            shown[slot->second] = 1;
+        }
     }
     return shown;
 }
