@@ -182,7 +182,8 @@ std::shared_ptr<const RenderPlan> Planner::plan(const Figure& figure, const Plan
     plan->clip = figure.clip;
     plan->rays = makeRayFrame(figure.camera, *plan->volume, plan->size);
     cache_->fields.chooseEstimators(*plan, task);
-    addLayers(*plan, request);
+    plan->gradientRounding = gradientRounding(*plan->gradientField);
+    addLayers(*plan, request, task);
     task.throwIfCancelled();
     cache_->fields.addFields(*plan, task);
     cache_->addSkipGrid(*plan, request);
@@ -192,8 +193,7 @@ std::shared_ptr<const RenderPlan> Planner::plan(const Figure& figure, const Plan
     return plan;
 }
 
-void Planner::addLayers(RenderPlan& plan, const PlanRequest& request) {
-    const LayerSurroundings around{*plan.figure, *plan.volume, cache_->fields.axisRanges(plan), plan.size};
+void Planner::addLayers(RenderPlan& plan, const PlanRequest& request, Task& task) {
     for (const Layer& layer : plan.figure->layers) {
         if (!layer.visible) {
             continue; // no part of the picture: to keep it in would draw it
@@ -204,6 +204,8 @@ void Planner::addLayers(RenderPlan& plan, const PlanRequest& request) {
             plan.layers.push_back(std::move(planned));
         }
     }
+        const LayerSurroundings around{*plan.figure, *plan.volume, cache_->fields.axisRanges(plan, layer, task),
+                                       plan.size};
 }
 
 } // namespace limner
