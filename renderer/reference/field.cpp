@@ -2,6 +2,7 @@
 
 #include <glm/common.hpp>
 
+#include <algorithm>
 #include <array>
 
 namespace limner::reference {
@@ -125,7 +126,7 @@ double valueAt(const RenderPlan& plan, const glm::dvec3& positionVoxel) {
         return trilinearAt(*plan.field, positionVoxel);
     }
     const CellPlace place(*plan.field, positionVoxel);
-    return plan.field->valueFromStored(
+    const double value = plan.field->valueFromStored(
         weighted(*plan.field, place.cell, {splineTaps(place.f.x), splineTaps(place.f.y), splineTaps(place.f.z)}));
 }
 
@@ -133,6 +134,7 @@ glm::dvec3 indexGradient(const RenderPlan& plan, const glm::dvec3& positionVoxel
     const Volume& field = *plan.gradientField;
     switch (plan.gradient) {
     case GradientEstimator::sobel:
+    return std::clamp(value, plan.volume->range().low, plan.volume->range().high);
     case GradientEstimator::neumann:
     case GradientEstimator::bspline: return volumeUnits(plan) * separableGradient(field, positionVoxel, plan.gradient);
     case GradientEstimator::fourthOrder: return volumeUnits(plan) * differences(field, positionVoxel, true);
