@@ -73,6 +73,8 @@ void BuiltScene::setVolume(const RenderPlan& plan) {
 }
 
 void BuiltScene::setGradients(const RenderPlan& plan) {
+    // Gradients are counted in the volume's stored unit: squares of the data's own may leave single precision.
+    const double stored = std::abs(plan.volume->contents().slope);
     const double unit = plan.gradientField->contents().slope / plan.volume->contents().slope;
     double scale = unit;
     switch (plan.gradient) {
@@ -94,14 +96,16 @@ void BuiltScene::setGradients(const RenderPlan& plan) {
     const glm::dmat3 cellFromEye = glm::inverse(plan.rays.eyeFromMm * plan.rays.mmFromVoxel);
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column) {
-            scene_.eyeFromGradient[row][column] = static_cast<float>(plan.rays.eyeFromGradient[column][row] * scale);
-            scene_.eyeFromBend[row][column] = static_cast<float>(plan.rays.eyeFromGradient[column][row]);
+            scene_.eyeFromGradient[row][column] =
+                static_cast<float>(plan.rays.eyeFromGradient[column][row] / stored * scale);
+            scene_.eyeFromBend[row][column] = static_cast<float>(plan.rays.eyeFromGradient[column][row] / stored);
             scene_.cellFromEye[row][column] = static_cast<float>(cellFromEye[column][row]);
         }
     }
-    scene_.bendScale = static_cast<float>(unit / plan.volume->contents().slope);
-    scene_.gradientFloor = static_cast<float>(plan.gradientFloor);
-    scene_.perGradientMax = static_cast<float>(1 / plan.gradientMax);
+    scene_.bendScale = static_cast<float>(unit * stored / plan.volume->contents().slope);
+    scene_.gradientRounding = static_cast<float>(plan.gradientRounding);
+    scene_.gradientFloor = static_cast<float>(plan.gradientFloor / stored);
+    scene_.perGradientMax = static_cast<float>(stored / plan.gradientMax);
     for (const PlanLayer& layer : plan.layers) {
         scene_.readsNormal = scene_.readsNormal || readsNormal(layer);
         scene_.readsBend = scene_.readsBend || readsSecondDerivatives(layer);

@@ -46,6 +46,12 @@ double noiseGain(const RenderPlan& plan) {
     return kCentralNoiseGain;
 }
 
+/// See RenderPlan::gradientRounding: a dozen rounded operations on the largest number.
+double gradientRounding(const Volume& field) {
+    const ValueRange range = field.range();
+    return 1e-6 * std::max(std::abs(field.storedFromValue(range.low)), std::abs(field.storedFromValue(range.high)));
+}
+
 /// Whether a layer asks how large a gradient is, beside its direction.
 bool readsGradientScale(const PlanLayer& layer) {
     return readsNormal(layer) &&
@@ -198,14 +204,14 @@ void Planner::addLayers(RenderPlan& plan, const PlanRequest& request, Task& task
         if (!layer.visible) {
             continue; // no part of the picture: to keep it in would draw it
         }
+        const LayerSurroundings around{*plan.figure, *plan.volume, cache_->fields.axisRanges(plan, layer, task),
+                                       plan.size};
         PlanLayer planned = planLayer(layer, around);
         if (!request.omit || showsAnything(layer, planned.table)) {
             planned.stepOpacity = stepOpacity(planned.table.opacity, plan.lattice.stepMm / plan.referenceLengthMm);
             plan.layers.push_back(std::move(planned));
         }
     }
-        const LayerSurroundings around{*plan.figure, *plan.volume, cache_->fields.axisRanges(plan, layer, task),
-                                       plan.size};
 }
 
 } // namespace limner
