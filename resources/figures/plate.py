@@ -39,7 +39,7 @@ def frame(plate, x, y):
 
 
 def shadow(plate, x, y, across):
-    u = (x - across - 0.35 * RADIUS) / (1.25 * RADIUS)
+    u = (x - across - 0.15 * RADIUS) / (0.9 * RADIUS)
     v = (y - HEIGHT - 0.98 * RADIUS) / (0.22 * RADIUS)
     blend(plate, INK, 0.42 * np.exp(-1.6 * (u * u + v * v)))
 
