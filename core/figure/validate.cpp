@@ -318,10 +318,6 @@ std::vector<std::string> partsNotDrawn(const Figure& figure) {
             addLayerParts(figure.layers[i], "/layers/" + std::to_string(i), lines);
         }
     }
-    for (std::size_t i = 0; i < figure.styles.size(); ++i) {
-        kept(figure.styles[i].texture.has_value(), ("/styles/" + std::to_string(i) + "/texture").c_str(),
-             "the style's texture is");
-    }
     kept(figure.importance.has_value(), "/importance", "importance is");
     kept(figure.stipple.has_value(), "/stipple", "stipples are");
     kept(!figure.annotations.empty(), "/annotations", "annotations are");

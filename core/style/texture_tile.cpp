@@ -113,6 +113,22 @@ class TextureFolder {
 
 } // namespace
 
+std::shared_ptr<const TextureTile> TextureTile::half() const {
+    if (size_ == 1) {
+        return nullptr;
+    }
+    const auto side = static_cast<std::size_t>(size_);
+    std::vector<Rgba> coarse;
+    for (std::size_t y = 0; y < side; y += 2) {
+        for (std::size_t x = 0; x < side; x += 2) {
+            const Rgba* upper = pixels_.data() + y * side + x;
+            const Rgba* lower = upper + side;
+            coarse.push_back(mix(mix(upper[0], upper[1], 0.5), mix(lower[0], lower[1], 0.5), 0.5));
+        }
+    }
+    return std::make_shared<const TextureTile>(size_ / 2, std::move(coarse));
+}
+
 Rgba TextureTile::at(double u, double v) const { return read(pixels_, size_, {u, v}); }
 
 std::shared_ptr<const TextureTile> loadTextureTile(const fs::path& picture) {

@@ -20,6 +20,8 @@ class TextureTile {
     /// Bilinear between texel centres, repeating; u and v count tiles, u to the right and v down: texel (x, y) has its
     /// centre at ((x + 0.5) / size, (y + 0.5) / size).
     [[nodiscard]] Rgba at(double u, double v) const;
+    /// The next coarser tile, texels averaged in fours; null at size 1.
+    [[nodiscard]] std::shared_ptr<const TextureTile> half() const;
 
   private:
     int size_;

@@ -42,7 +42,8 @@ Entry styleEntry(const Figure& figure, const std::string& id) {
         return {nullptr, kMidGrey};
     }
     const Rgba& mean = style->sphere->mean();
-    return {style->sphere, glm::dvec3(mean.r, mean.g, mean.b)};
+    const bool textured = style->texture && style->texture->tile && style->texture->strength > 0;
+    return {style->sphere, glm::dvec3(mean.r, mean.g, mean.b), textured ? style->texture : std::nullopt};
 }
 
 std::vector<Entry> entriesOfNodes(const Figure& figure, const std::vector<TransferNode>& nodes) {
@@ -114,7 +115,8 @@ StyleIndex indexStyles(const Figure& figure, const Transfer& transfer) {
     index.nodeToStyle.reserve(entries.size());
     for (Entry& entry : entries) {
         const auto same = std::find_if(index.styles.begin(), index.styles.end(), [&](const Entry& other) {
-            return other.sphere == entry.sphere && (entry.sphere != nullptr || other.rgb == entry.rgb);
+            return other.sphere == entry.sphere && other.texture == entry.texture &&
+                   (entry.sphere != nullptr || other.rgb == entry.rgb);
         });
         index.nodeToStyle.push_back(static_cast<int>(same - index.styles.begin()));
         if (same == index.styles.end()) {

@@ -95,8 +95,9 @@ TransferTable bakeTransfer(const Layer& layer, const Volume& volume, const AxisR
 /// constant sphere), equal colours one and the same.
 struct StyleIndex {
     struct Entry {
-        std::shared_ptr<const LitSphere> sphere; ///< null: plain colour
-        glm::dvec3 rgb{0};                       ///< the colour, or the sphere's mean
+        std::shared_ptr<const LitSphere> sphere;  ///< null: plain colour
+        glm::dvec3 rgb{0};                        ///< the colour, or the sphere's mean
+        std::optional<StyleTexture> texture = {}; ///< resolved, with some strength; else absent
     };
     std::vector<int> nodeToStyle;
     std::vector<Entry> styles;

@@ -33,6 +33,14 @@ struct KernelContours {
     float probeMm = 1; ///< between the two normals
 };
 
+/// A style's texture: size^2 RGBA factors; no texels: none.
+struct KernelTexture {
+    const float* texels = nullptr;
+    std::int32_t size = 1; ///< a power of two
+    float perMm = 1;       ///< tiles
+    float strength = 0;
+};
+
 struct KernelLayer {
     Shading shading = Shading::flat;
     bool twoSided = true;
@@ -55,6 +63,7 @@ struct KernelLayer {
     std::int32_t lastRow = 0;
     std::int32_t columnStride = 1;
     std::int32_t nodeRowStride = 0;
+    const KernelTexture* textures = nullptr;  ///< one per node; null: no style has one
     std::int32_t singleSlot = -1;             ///< >= 0: all nodes have this style, `index` is not read
     const std::int16_t* rowOfSlot = nullptr;  ///< label axis: label slot -> row, -1: none
     const std::uint8_t* shownSlots = nullptr; ///< label slot -> 1 where it shows
@@ -116,6 +125,8 @@ struct KernelScene {
     bool readsNormal = false;        ///< some layer does
     bool readsGradientScale = false; ///< beside the normal's direction
     bool readsBend = false;
+    float mmFromEye[3][3]{};              ///< turns a direction to patient coordinates
+    float mmFromCell[3][4]{};             ///< patient coordinates of a position
     float cellFromEye[3][3]{};            ///< 1 mm in eye space, in cells
     float depthFromCell[4]{0, 0, 0, 1};   ///< depth over the target's, linear in the position
     const std::uint8_t* labels = nullptr; ///< label slots, uint8, laid out as the voxels

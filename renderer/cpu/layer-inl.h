@@ -9,6 +9,7 @@
 
 #include "renderer/cpu/facts-inl.h" // names the target: before the formulas
 #include "renderer/cpu/style-inl.h"
+#include "renderer/cpu/texture-inl.h"
 
 #include "core/optics/contour.h"
 #include "core/optics/shading.h"
@@ -80,7 +81,7 @@ class LayerEvaluation {
         if (layer_.shading != Shading::style && layer_.rows == 0) {
             shadePlain(facts, width, PlainEntries(layer_.colours, facts.tableEntry), out);
         } else {
-            const bool single = layer_.singleSlot >= 0;
+            const bool single = layer_.singleSlot >= 0 && layer_.textures == nullptr;
             colour(facts, width, single ? NodeBlend{} : nodesOfLine(TablePlace(facts.tableEntry)), out);
         }
     }
@@ -268,6 +269,9 @@ class LayerEvaluation {
             sphereColours(scene_.atlas, place, slot, facts.trusted, out);
         } else {
             sphereColours(scene_.atlas, place, slotsOf(layer_.slotOfNode, nodes), facts.trusted, out);
+        }
+        if (layer_.textures != nullptr) {
+            layTextures(TexturePlace(scene_, facts.q, facts.normal.eye, facts.trusted), layer_.textures, nodes, out);
         }
     }
 

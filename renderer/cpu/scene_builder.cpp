@@ -95,6 +95,15 @@ void BuiltScene::setGradients(const RenderPlan& plan) {
             scene_.cellFromEye[row][column] = static_cast<float>(cellFromEye[column][row]);
         }
     }
+    const glm::dmat3 mmFromVoxel = plan.volume->grid().voxelToMmMatrix();
+    const glm::dvec3 origin = plan.volume->grid().originMm - mmFromVoxel * kCellFromVoxel;
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) {
+            scene_.mmFromEye[row][column] = static_cast<float>(plan.rays.eyeFromMm[row][column]);
+            scene_.mmFromCell[row][column] = static_cast<float>(mmFromVoxel[column][row]);
+        }
+        scene_.mmFromCell[row][3] = static_cast<float>(origin[row]);
+    }
     scene_.bendScale = static_cast<float>(unit / plan.volume->contents().slope);
     scene_.gradientFloor = static_cast<float>(plan.gradientFloor);
     scene_.perGradientMax = static_cast<float>(1 / plan.gradientMax);
@@ -275,6 +284,17 @@ void BuiltScene::addLook(const RenderPlan& plan, const PlanLayer& layer, KernelL
                                          [](const auto& s) { return s.sphere && s.sphere->hasDirectionalOpacity(); });
     slots_.push_back(std::move(slots));
     out.slotOfNode = slots_.back().data();
+    if (!layer.textures.empty()) {
+        std::vector<KernelTexture> textures;
+        for (const int style : layer.styles.nodeToStyle) {
+            const PlanTexture& texture = layer.textures[static_cast<std::size_t>(style)];
+            const float* texels = texture.tile ? &texture.tile->pixels().front().r : nullptr;
+            textures.push_back({texels, texture.tile ? texture.tile->size() : 1, static_cast<float>(texture.perMm),
+                                static_cast<float>(texture.strength)});
+        }
+        textures_.push_back(std::move(textures));
+        out.textures = textures_.back().data();
+    }
 }
 
 void BuiltScene::setTables(const RenderPlan& plan) {

@@ -43,6 +43,7 @@ class BuiltScene {
     std::vector<KernelLayer> layers_;
     std::deque<std::vector<float>> tables_; // a deque: addresses stay
     std::deque<std::vector<std::int32_t>> slots_;
+    std::deque<std::vector<KernelTexture>> textures_;
     struct alignas(16) Colour {
         float rgba[4];
     };

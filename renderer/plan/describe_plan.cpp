@@ -55,6 +55,8 @@ void describeTransfers(const RenderPlan& plan, const AddFeature& feature) {
             "no layer reads it");
     feature(anyLayer(plan, [](const PlanLayer& l) { return l.illustrative; }), "illustrative transparency",
             "a layer clears flat regions first", "every layer is uniformly transparent");
+    feature(anyLayer(plan, [](const PlanLayer& l) { return !l.textures.empty(); }), "textures", "a style carries one",
+            "no style carries one");
     feature(plan.interpolation == Interpolation::tricubic, "tricubic interpolation", "the quality asks for it",
             "voxels are joined otherwise");
     feature(plan.interpolation == Interpolation::smooth, "smooth interpolation",

@@ -57,6 +57,25 @@ void markVisible(const TransferTable& table, const Volume& volume, VisibleRange&
     }
 }
 
+/// Tiles no finer than the rays: what is finer would sparkle.
+std::vector<PlanTexture> planTextures(const StyleIndex& styles, double sampleMm) {
+    std::vector<PlanTexture> textures;
+    bool any = false;
+    for (const StyleIndex::Entry& entry : styles.styles) {
+        textures.emplace_back();
+        if (!entry.texture) {
+            continue;
+        }
+        any = true;
+        auto tile = entry.texture->tile;
+        while (tile->size() > 1 && entry.texture->sizeMm / tile->size() < 0.5 * sampleMm) {
+            tile = tile->half();
+        }
+        textures.back() = {std::move(tile), 1 / entry.texture->sizeMm, entry.texture->strength};
+    }
+    return any ? textures : std::vector<PlanTexture>{};
+}
+
 } // namespace
 
 bool drawsSpheres(const PlanLayer& layer) {
@@ -79,6 +98,9 @@ PlanLayer planLayer(const Layer& source, const LayerSurroundings& around) {
     layer.styles = indexStyles(around.figure, source.transfer);
     if (layer.shading == Shading::style && !drawsSpheres(layer)) {
         layer.shading = Shading::flat; // only plain colours: constant spheres are unshaded colour
+    }
+    if (layer.shading == Shading::style) {
+        layer.textures = planTextures(layer.styles, around.sampleMm);
     }
     if (source.transfer.distance && source.transfer.distance->fromMm) {
         layer.distanceFromMm = source.transfer.distance->fromMm;

@@ -9,7 +9,7 @@ struct LayerSurroundings {
     const Figure& figure;
     const Volume& volume; ///< after clean-up
     AxisRanges ranges;
-    glm::ivec2 size{0}; ///< of the picture in pixels
+    double sampleMm = 1; ///< between neighbouring rays, in the target plane
 };
 
 /// One layer, ready to draw but for its place in the atlas, the opacity of a step and the fields it reads.

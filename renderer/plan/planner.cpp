@@ -186,7 +186,8 @@ std::shared_ptr<const RenderPlan> Planner::plan(const Figure& figure, const Plan
 }
 
 void Planner::addLayers(RenderPlan& plan, const PlanRequest& request) {
-    const LayerSurroundings around{*plan.figure, *plan.volume, cache_->fields.axisRanges(plan), plan.size};
+    const LayerSurroundings around{*plan.figure, *plan.volume, cache_->fields.axisRanges(plan),
+                                   plan.rays.footprintMm / plan.subPixels};
     for (const Layer& layer : plan.figure->layers) {
         if (!layer.visible) {
             continue; // no part of the picture: to keep it in would draw it

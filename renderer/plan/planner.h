@@ -12,7 +12,7 @@ struct PlanRequest {
     glm::ivec2 size{0};   ///< pixels; 0: the figure's output size
     double stepScale = 1; ///< > 1: coarser steps for a draft
     int subPixels = 0;    ///< per axis; 0: the figure's quality
-    bool omit = true;     ///< false: keep all but hidden layers in (`--no-omit`), to prove that leaving out changes nothing
+    bool omit = true; ///< false: keep all but hidden layers in (`--no-omit`), to prove that leaving out changes nothing
     std::optional<SampleLattice> lattice; ///< instead of the figure's, for convergence studies
 };
 

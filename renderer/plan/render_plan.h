@@ -56,6 +56,13 @@ struct PlanContours {
 /// Radius, mm on paper, of the ball on which contours that do not follow the curvature have their asked width.
 inline constexpr double kUncontrolledRadiusMm = 10;
 
+/// A style's texture, ready to draw; without a tile: none.
+struct PlanTexture {
+    std::shared_ptr<const TextureTile> tile; ///< no finer than a pixel
+    double perMm = 1;                        ///< tiles
+    double strength = 0;
+};
+
 /// One visible layer, ready to draw.
 struct PlanLayer {
     std::string name;
@@ -68,6 +75,8 @@ struct PlanLayer {
     TransferTable table;
     std::vector<float> stepOpacity; ///< of one whole step of the plan's lattice, entries as the table's
     StyleIndex styles;
+    /// Parallel to `styles.styles`, at the plan's resolution; empty where none of them has one.
+    std::vector<PlanTexture> textures;
     std::vector<int> atlasSlots; ///< distinct style -> slot of the atlas; empty unless shading is style with a sphere
     std::vector<std::uint8_t> shownSlots;     ///< label slot -> 1 where the label shows; empty: all show
     std::vector<std::int16_t> rowOfSlot;      ///< label slot -> row of the table, -1: none; empty: no label axis

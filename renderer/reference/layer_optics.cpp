@@ -1,6 +1,7 @@
 #include "renderer/reference/layer_optics.h"
 
 #include "core/optics/contour.h"
+#include "core/optics/texture.h"
 #include "core/optics/transparency.h"
 #include "renderer/reference/field.h"
 
@@ -67,6 +68,7 @@ SurfaceSample surfaceSample(const RenderPlan& plan, const Ray& ray, double posit
     SurfaceSample sample;
     sample.normalRay =
         optics::normalInRayFrame<double>(normalEye, {ray.directionEye.x, ray.directionEye.y, ray.directionEye.z});
+    sample.normalMm = glm::transpose(plan.rays.eyeFromMm) * glm::dvec3(normalEye.x, normalEye.y, normalEye.z);
     sample.definedness = optics::normalDefinedness(magnitude, plan.gradientFloor);
     sample.magnitude = magnitude / plan.gradientMax;
     if (anyLayer(plan, readsSecondDerivatives)) {
@@ -219,9 +221,36 @@ glm::dvec4 blended(const PlanLayer& layer, const TransferSample& sample, const L
     return sum;
 }
 
+/// The textures of the blended styles as one factor of the colour.
+glm::dvec3 textureAt(const RenderPlan& plan, const PlanLayer& layer, const TransferSample& transfer,
+                     const SampleFacts& facts) {
+    const glm::dvec3 p = plan.volume->grid().mmFromVoxel(facts.positionVoxel);
+    const glm::dvec3& n = facts.surface.normalMm;
+    const auto weights = optics::projectionWeights<double>({n.x, n.y, n.z});
+    const auto tiled = [&](const PlanTexture& texture, double u, double v) {
+        const Rgba factor = texture.tile->at(u * texture.perMm, v * texture.perMm);
+        return glm::dvec3(factor.r, factor.g, factor.b);
+    };
+    glm::dvec3 sum(0);
+    for (const TransferSample::Node& node : transfer.nodes) {
+        const int style = layer.styles.nodeToStyle[static_cast<std::size_t>(node.node)];
+        const PlanTexture& texture = layer.textures[static_cast<std::size_t>(style)];
+        glm::dvec3 factor(1);
+        if (texture.tile) {
+            const glm::dvec3 laid = weights.x * tiled(texture, p.y, -p.z) + weights.y * tiled(texture, p.x, -p.z) +
+                                    weights.z * tiled(texture, p.x, p.y);
+            const double seen = texture.strength * facts.surface.definedness * (weights.x + weights.y + weights.z);
+            factor += seen * (laid - factor);
+        }
+        sum += node.weight * factor;
+    }
+    return sum;
+}
+
 /// Colour with the directional opacity as alpha.
-glm::dvec4 colourOf(const PlanLayer& layer, const TransferSample& transfer, const SurfaceSample& surface,
-                    double width) {
+glm::dvec4 colourOf(const RenderPlan& plan, const PlanLayer& layer, const TransferSample& transfer,
+                    const SampleFacts& facts, double width) {
+    const SurfaceSample& surface = facts.surface;
     if (layer.shading == Shading::style) {
         const auto normal = layer.twoSided ? optics::facingViewer(surface.normalRay) : surface.normalRay;
         const auto inside = optics::litSpherePoint(normal);
@@ -229,8 +258,11 @@ glm::dvec4 colourOf(const PlanLayer& layer, const TransferSample& transfer, cons
         const double pushed = optics::contourPush(radius, std::abs(normal.z), width);
         const double stretch = radius > 0 ? pushed / radius : 1;
         const optics::DiskPoint<double> point{inside.x * stretch, inside.y * stretch};
-        return blended(layer, transfer,
-                       [&](const StyleIndex::Entry& style) { return lookUp(style, point, surface.definedness); });
+        const glm::dvec4 lit = blended(
+            layer, transfer, [&](const StyleIndex::Entry& style) { return lookUp(style, point, surface.definedness); });
+        return layer.textures.empty()
+                   ? lit
+                   : glm::dvec4(glm::min(glm::dvec3(lit) * textureAt(plan, layer, transfer, facts), 1.0), lit.a);
     }
     const glm::dvec4 plain =
         blended(layer, transfer, [](const StyleIndex::Entry& style) { return glm::dvec4(style.rgb, 1); });
@@ -248,7 +280,7 @@ glm::dvec4 colourOf(const PlanLayer& layer, const TransferSample& transfer, cons
 LayerSample shadeRow(const RenderPlan& plan, const PlanLayer& layer, const SampleFacts& facts, int row) {
     const TransferSample transfer = transferAt(plan, layer, facts, row);
     const double width = contourWidthAt(layer, facts);
-    const glm::dvec4 c = colourOf(layer, transfer, facts.surface, width);
+    const glm::dvec4 c = colourOf(plan, layer, transfer, facts, width);
     const double opacity = layer.illustrative
                                ? optics::illustrativeOpacity(c.a, transfer.opacity, std::abs(facts.surface.normalRay.z),
                                                              width, facts.surface.magnitude)

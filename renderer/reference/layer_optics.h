@@ -12,6 +12,7 @@ namespace limner::reference {
 /// The surface at a sample, as shading reads it.
 struct SurfaceSample {
     optics::Vector3<double> normalRay{0, 0, 1}; ///< unit, in the frame of the ray; before any flip to the viewer
+    glm::dvec3 normalMm{0};                     ///< unit, in patient coordinates
     double definedness = 0;                     ///< 0: no normal, 1: a sound one
     double magnitude = 0;                       ///< of the gradient, over the plan's gradientMax
     double bend = 0;                            ///< curvature along the view by the Hessian, 1/mm

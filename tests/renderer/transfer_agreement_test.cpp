@@ -19,9 +19,9 @@ namespace {
 using testing::planOf;
 using testing::renderWhole;
 
-constexpr int kSize = 48;
+constexpr int kSize = 36;
 
-std::shared_ptr<const RenderPlan> plan48(const Figure& figure) {
+std::shared_ptr<const RenderPlan> planSmall(const Figure& figure) {
     PlanRequest request;
     request.size = {kSize, kSize};
     return planOf(figure, request);
@@ -93,7 +93,7 @@ void snapPlane(Transfer& transfer, const TransferTable& table) {
 
 /// Moves knots, nodes and corners onto the nearest entries of the figure's own tables.
 void snapToTables(Figure& figure) {
-    const auto plan = plan48(figure);
+    const auto plan = planSmall(figure);
     ASSERT_EQ(plan->layers.size(), figure.layers.size());
     for (std::size_t i = 0; i < figure.layers.size(); ++i) {
         Transfer& transfer = figure.layers[i].transfer;
@@ -130,7 +130,7 @@ TEST_P(TransferAgreement, OfKernelAndReference) {
         if (feature().onEntries) {
             snapToTables(figure);
         }
-        const auto plan = plan48(figure);
+        const auto plan = planSmall(figure);
         const Picture exact = renderWhole(*makeReferenceBackend(), *plan);
         const Difference d = differenceOf(renderWhole(*makeCpuBackend(), *plan), exact);
         EXPECT_GT(greatestAlpha(exact), 0.2);
@@ -143,7 +143,7 @@ TEST(RandomFigures, AreThoseOfTheReference) {
     for (unsigned seed = 0; seed < 60; ++seed) {
         Figure figure = testing::randomFigure(seed);
         snapToTables(figure);
-        const auto plan = plan48(figure);
+        const auto plan = planSmall(figure);
         const Picture exact = renderWhole(*makeReferenceBackend(), *plan);
         const Difference d = differenceOf(renderWhole(*makeCpuBackend(), *plan), exact);
         EXPECT_GT(greatestAlpha(exact), 0.2) << seed;

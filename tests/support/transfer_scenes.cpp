@@ -52,7 +52,7 @@ std::shared_ptr<const Volume> labelsOn(const Grid& grid) {
                                     [&](const glm::ivec3& voxel) { return labelAt(grid.mmFromVoxel(voxel)); });
 }
 
-/// No finer than a picture of 48 pixels resolves, so that it is drawn without a mip level.
+/// No finer than these pictures resolve, so that it is drawn without a mip level.
 std::shared_ptr<const LitSphere> smoothSphere(int kind) {
     constexpr int size = 64;
     std::vector<Rgba> pixels;

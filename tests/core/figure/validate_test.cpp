@@ -244,7 +244,6 @@ TEST(Validate, WhatAnAxisNeedsIsSaid) {
 TEST(Validate, PartsThatAreNotDrawnAreSaid) {
     const std::pair<const char*, Edit> cases[] = {
         {"/layers/0/transfer", [](Figure& f) { f.layers[0].transfer.axis = "importance"; }},
-        {"/styles/0/texture", [](Figure& f) { f.styles[0].texture.emplace().file = "bundled:paper"; }},
         {"/layers/0/tone", [](Figure& f) { f.layers[0].tone.emplace(); }},
         {"/layers/0/silhouette", [](Figure& f) { f.layers[0].silhouette.emplace(); }},
         {"/layers/0/specular", [](Figure& f) { f.layers[0].specular.emplace(); }},

@@ -152,14 +152,15 @@ CurvatureErrors curvatureErrors(const Torus& torus, int pixels) {
             continue;
         }
         const double start = plan.volume->grid().mmFromVoxel(ray->positionVoxel(0)).z;
-        const auto surface = reference::sampleFacts(plan, *ray, *depth - start, 0).surface;
+        const reference::SampleFacts facts = reference::sampleFacts(plan, *ray, *depth - start, 0);
+        const double turn = facts.turns.front().second;
         const glm::dvec3 before = torus.normal(mm + view); // a voxel towards the viewer
         const double angle =
             std::atan2(glm::length(glm::cross(before, torus.normal(mm))), glm::dot(before, torus.normal(mm)));
         const double exact = torus.curvatureAlong(mm, view);
-        errors.bend += std::pow((surface.bend - exact) * torus.minorMm, 2);
-        errors.turn += std::pow((surface.turn - angle) * torus.minorMm, 2);
-        errors.turnAsCurvature += std::pow((surface.turn - exact) * torus.minorMm, 2);
+        errors.bend += std::pow((facts.surface.bend - exact) * torus.minorMm, 2);
+        errors.turn += std::pow((turn - angle) * torus.minorMm, 2);
+        errors.turnAsCurvature += std::pow((turn - exact) * torus.minorMm, 2);
         ++count;
     }
     return {std::sqrt(errors.bend / count), std::sqrt(errors.turn / count), std::sqrt(errors.turnAsCurvature / count)};
