@@ -8,6 +8,7 @@
 #include "core/figure/quantity.h"
 #include "core/figure/themes.h"
 #include "core/project/label_volume.h"
+#include "core/project/sample_figures.h"
 #include "core/style/lit_sphere.h"
 
 #include <CLI/CLI.hpp>
@@ -77,8 +78,13 @@ void FigureOptions::declareInput(CLI::App& app, const std::string& name, const s
 }
 
 void FigureOptions::declareLook(CLI::App& app) {
-    app.add_option("--preset", preset_, "Look to start from; `limner preset list` shows them [auto]")
-        ->option_text("NAME");
+    auto* preset = app.add_option("--preset", preset_, "Look to start from; `limner preset list` shows them [auto]")
+                       ->option_text("NAME");
+    app.add_option("--figure", sample_,
+                   "Lay a sample figure over the scan: look, camera, labels and clean-up; `limner figure list` shows "
+                   "them and the scan each was made for")
+        ->option_text("NAME")
+        ->excludes(preset);
     app.add_option("--theme", theme_, "Exchange all styles and the paper; `limner theme list` shows them")
         ->option_text("NAME");
     app.add_option("--view", view_,
@@ -124,7 +130,7 @@ ImportOptions FigureOptions::importOptions() const {
     return options;
 }
 
-OpenOptions FigureOptions::openOptions() const { return {preset_, labels_, importOptions()}; }
+OpenOptions FigureOptions::openOptions() const { return {preset_, labels_, importOptions(), sample_}; }
 
 Document FigureOptions::openAsIs(Console& console) const {
     Document document;
@@ -156,6 +162,7 @@ Document FigureOptions::open(Console& console) const {
         chosen(kViews, view_, "--view");
     }
     checkCard(bundledPresets(), preset_, "--preset");
+    checkCard(sampleFigures(), sample_, "--figure");
     checkCard(bundledThemes(), theme_, "--theme");
     Document document = openDocument(file_, openOptions(), console.task());
     for (const std::string& note : document.volumeReport.warnings) {

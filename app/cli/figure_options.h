@@ -21,14 +21,14 @@ class FigureOptions {
   public:
     /// The file, the options for reading a scan, and its labels.
     void declareInput(CLI::App& app, const std::string& name, const std::string& help);
-    /// Preset, theme, view and settings.
+    /// Preset or sample figure, theme, view and settings.
     void declareLook(CLI::App& app);
     /// Size in pixels or millimetres.
     void declareSize(CLI::App& app);
     /// Threads and memory.
     void declareMachine(CLI::App& app);
 
-    /// Opens the file and applies everything, in this order: preset, theme, size, view, settings. Says what was
+    /// Opens the file and applies everything, in this order: preset or sample figure, theme, size, view, settings. Says what was
     /// noticed.
     [[nodiscard]] Document open(Console& console) const;
     /// As `open`, but only reads: no preset is laid over, nothing is changed.
@@ -51,6 +51,7 @@ class FigureOptions {
     std::string labels_;
     bool firstComponent_ = false;
     std::string preset_;
+    std::string sample_;
     std::string theme_;
     std::string view_;
     std::vector<std::string> settings_;

@@ -4,6 +4,7 @@
 #include "app/cli/facts.h"
 #include "core/figure/presets.h"
 #include "core/figure/themes.h"
+#include "core/project/sample_figures.h"
 #include "core/style/lit_sphere.h"
 
 #include <CLI/CLI.hpp>
@@ -87,6 +88,28 @@ int ThemeListCommand::run(Console& console) {
     }
     if (console.json) {
         printFacts(console, Facts{{"themes", list}});
+    } else {
+        console.print(textTable(rows));
+    }
+    return 0;
+}
+
+void FigureListCommand::declare(CLI::App& app) {
+    app.description("Lists the sample figures\n"
+                    "The name for --figure, the scan that it was made for (and its labels), and what it shows.");
+    app.footer("Examples:\n  limner figure list\n"
+               "  limner render Cranium.inv3 --figure contours-even -o skull.png\n");
+}
+
+int FigureListCommand::run(Console& console) {
+    std::vector<std::vector<std::string>> rows;
+    Facts list = Facts::array();
+    for (const SampleFigure& card : sampleFigures()) {
+        rows.push_back({card.id, card.labels.empty() ? card.scan : card.scan + ", " + card.labels, card.title});
+        list.push_back({{"id", card.id}, {"title", card.title}, {"scan", card.scan}, {"labels", card.labels}});
+    }
+    if (console.json) {
+        printFacts(console, Facts{{"figures", list}});
     } else {
         console.print(textTable(rows));
     }

@@ -25,4 +25,11 @@ class ThemeListCommand : public Command {
     int run(Console& console) override;
 };
 
+/// `limner figure list`: the sample figures.
+class FigureListCommand : public Command {
+  public:
+    void declare(CLI::App& app) override;
+    int run(Console& console) override;
+};
+
 } // namespace limner::cli

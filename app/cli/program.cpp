@@ -54,6 +54,7 @@ class Parser {
         add(app_, "self-test", std::make_unique<SelfTestCommand>());
         add(*group("style", "Lists the lit-sphere styles (style list)"), "list", std::make_unique<StyleListCommand>());
         add(*group("theme", "Lists the themes (theme list)"), "list", std::make_unique<ThemeListCommand>());
+        add(*group("figure", "Lists the sample figures (figure list)"), "list", std::make_unique<FigureListCommand>());
         add(*group("preset", "Lists the presets (preset list)"), "list", std::make_unique<PresetListCommand>());
     }
 

@@ -4,6 +4,7 @@
 #include "core/project/archive.h"
 #include "core/project/label_volume.h"
 #include "core/project/project.h"
+#include "core/project/sample_figures.h"
 #include "core/style/background_picture.h"
 
 #include <fstream>
@@ -278,16 +279,7 @@ void replaceLabels(Document& document, const LabelReference& own, const OpenOpti
     document.figure.labels = std::move(labels);
 }
 
-Document documentFromVolume(const fs::path& path, const OpenOptions& open, Task& task) {
-    const ImportOptions& options = open.import;
-    Document document;
-    ImportedVolume imported = importVolume(path, options, task);
-    std::optional<LabelReference> labels;
-    if (!open.labels.empty()) {
-        labels = openLabels(open.labels, {imported.volume, options.memoryBudget}, document.notes, task);
-    }
-    document.figure =
-        figureFromPreset(open.preset.empty() ? "auto" : open.preset, imported.volume, document.notes, labels);
+VolumeReference referenceTo(const fs::path& path, const ImportedVolume& imported, const ImportOptions& options) {
     VolumeReference reference;
     reference.path = path.string();
     if (!reference.path.starts_with(kBuiltinPrefix)) {
@@ -300,15 +292,51 @@ Document documentFromVolume(const fs::path& path, const OpenOptions& open, Task&
     reference.raw = options.raw;
     reference.series = options.series;
     reference.data = imported.volume;
-    document.figure.volume = std::move(reference);
+    return reference;
+}
+
+Document documentFromVolume(const fs::path& path, const OpenOptions& open, Task& task) {
+    const ImportOptions& options = open.import;
+    Document document;
+    ImportedVolume imported = importVolume(path, options, task);
+    std::optional<LabelReference> labels;
+    if (!open.labels.empty()) {
+        labels = openLabels(open.labels, {imported.volume, options.memoryBudget}, document.notes, task);
+    }
+    document.figure =
+        figureFromPreset(open.preset.empty() ? "auto" : open.preset, imported.volume, document.notes, labels);
+    document.figure.volume = referenceTo(path, imported, options);
     document.volumeReport = std::move(imported.report);
     return document;
 }
 
-} // namespace
+Document documentFromSample(const fs::path& path, const OpenOptions& open, Task& task) {
+    const fs::path file = findSampleFigure(open.sample).file;
+    Document document = documentFromText(textOf(file), file);
+    document.path.clear(); // a fresh figure: saving it must not reach for the bundled file
+    Figure& figure = document.figure;
+    ImportedVolume imported = importVolume(path, open.import, task);
+    figure.volume = referenceTo(path, imported, open.import);
+    document.volumeReport = std::move(imported.report);
+    if (figure.background.kind == "image") {
+        figure.background.file = (file.parent_path() / figure.background.file).string();
+    }
+    std::error_code ignored;
+    const fs::path folder = fs::absolute(path, ignored).parent_path();
+    if (!open.labels.empty()) {
+        figure.labels.reset();
+    } else if (figure.labels) {
+        figure.labels->path = (folder / figure.labels->path).string();
+    }
+    resolveFigure(document, folder, open.import, task);
+    if (!open.labels.empty()) {
+        replaceLabels(document, {}, open, task);
+    }
+    return document;
+}
 
-Document openDocument(const fs::path& path, const OpenOptions& options, Task& task) {
-    std::string text;
+/// Of a project or bare figure; nothing where the path names a scan.
+std::optional<std::string> figureTextOf(const fs::path& path) {
     if (looksLikeArchive(path)) {
         const Archive archive(path);
         const ArchiveEntry* figure = archive.find("figure.json");
@@ -316,20 +344,35 @@ Document openDocument(const fs::path& path, const OpenOptions& options, Task& ta
             throw Error(ErrorKind::badInput, {"cannot read the project", path.string(), "it holds no figure.json",
                                               "give a .limner file that Limner saved"});
         }
-        text = archive.read(*figure);
-    } else if (path.extension() == ".json") {
-        text = textOf(path);
-    } else if (path.extension() == ".limner") {
+        return archive.read(*figure);
+    }
+    if (path.extension() == ".json") {
+        return textOf(path);
+    }
+    if (path.extension() == ".limner") {
         std::error_code ignored;
         throw Error(ErrorKind::badInput,
                     {"cannot read the project", path.string(),
                      fs::exists(path, ignored) ? "it is not a zip file" : "no such file",
                      fs::exists(path.string() + "~", ignored) ? "there is a backup: " + path.string() + "~"
                                                               : "check the path"});
-    } else {
-        return documentFromVolume(path, options, task);
     }
-    Document document = documentFromText(text, path);
+    return std::nullopt;
+}
+
+} // namespace
+
+Document openDocument(const fs::path& path, const OpenOptions& options, Task& task) {
+    const std::optional<std::string> text = figureTextOf(path);
+    if (!text) {
+        return options.sample.empty() ? documentFromVolume(path, options, task)
+                                      : documentFromSample(path, options, task);
+    }
+    if (!options.sample.empty()) {
+        throw Error(ErrorKind::usage, {"cannot lay a sample figure over this", path.string(),
+                                       "it is a figure of its own", "name the scan instead"});
+    }
+    Document document = documentFromText(*text, path);
     LabelReference own;
     if (!options.labels.empty() && document.figure.labels) {
         own = *std::exchange(document.figure.labels, std::nullopt);

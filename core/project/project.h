@@ -23,6 +23,9 @@ struct OpenOptions {
     /// Label volume of the scan; replaces a project's, whose own names and colours stay where its labels are not found.
     std::filesystem::path labels;
     ImportOptions import;
+    /// Id of a sample figure that is laid over a volume in the place of a preset; labels that it wants and that are not
+    /// given are looked for beside the volume. Of a project: Error(usage).
+    std::string sample = {};
 };
 
 /// Opens a `.limner` project, a bare figure.json, or any volume (which gets the preset's figure). A missing volume is a
