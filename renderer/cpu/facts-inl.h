@@ -18,7 +18,7 @@ namespace limner::HWY_NAMESPACE {
 struct Normal {
     Vec3 eye;
     Floats facing;    ///< normal . view
-    Floats magnitude; ///< of the gradient, data's unit per mm
+    Floats magnitude; ///< of the gradient, stored units per mm
 };
 
 HWY_INLINE Vec3 turned(const float (&rows)[3][3], const Vec3& v) {

@@ -270,7 +270,10 @@ struct Field {
             g.y = hn::MulAdd(z.value.at[k], slice.y, g.y);
             g.z = hn::MulAdd(z.slope.at[k], slice.z, g.z);
         }
-        return g;
+        const auto sound = [&](Floats v) HWY_ATTR {
+            return hn::IfThenElseZero(hn::Gt(hn::Abs(v), splat(scene.gradientRounding)), v);
+        };
+        return {sound(g.x), sound(g.y), sound(g.z)};
     }
 
     template <typename Store>

@@ -139,7 +139,10 @@ class March {
 
     /// Looks a sample up, and hands it on where it can be seen.
     HWY_INLINE void look(const Sample& sample, bool edge) {
-        const TablePlace at(sample.entry);
+        // Rounding puts the data's lowest value up to a thousandth of an entry before the table's begin: opacities
+        // would be extrapolated past 1.
+        const Floats entry = hn::Max(sample.entry, splat(0));
+        const TablePlace at(entry);
         const Floats visible = hn::IfThenElseZero(alive_, at.read(scene_.visibility));
         const Mask shows = hn::Gt(visible, splat(0));
         if (hn::AllFalse(kF, shows)) {
@@ -150,9 +153,9 @@ class March {
             const Floats opacity = edge ? opacityOfPart(visible, sample.part) : visible;
             const Floats weight = hn::NegMulAdd(opacity, alpha_, opacity);
             alpha_ = hn::Add(alpha_, weight);
-            queue_.push({sample.place, sample.q, sample.entry, weight, pixel_, ray_->view}, shows);
+            queue_.push({sample.place, sample.q, entry, weight, pixel_, ray_->view}, shows);
             alive_ = hn::And(alive_, hn::Lt(alpha_, splat(scene_.opaque)));
-        } else if (queue_.push({sample.place, sample.q, sample.entry, sample.part, pixel_, ray_->view}, shows)) {
+        } else if (queue_.push({sample.place, sample.q, entry, sample.part, pixel_, ray_->view}, shows)) {
             endOpaque();
         }
     }

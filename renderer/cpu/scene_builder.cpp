@@ -50,7 +50,11 @@ void BuiltScene::setVolume(const RenderPlan& plan) {
     scene_.type = field.type();
     scene_.spline = plan.interpolation != Interpolation::linear;
     // A store beside the voxels may take more room than they do.
-    const std::size_t largest = std::max(field.bytes(), plan.gradientField->bytes());
+    std::size_t largest = std::max(field.bytes(), plan.gradientField->bytes());
+    largest = std::max(largest, plan.secondVolume ? plan.secondVolume->bytes() : 0);
+    for (const PlanLayer& layer : plan.layers) {
+        largest = std::max(largest, layer.distance ? layer.distance->bytes() : 0);
+    }
     scene_.wide = largest > static_cast<std::size_t>(std::numeric_limits<std::uint32_t>::max());
     scene_.brickStep[0] = 1;
     scene_.brickStep[1] = field.layout().bricks.x;
@@ -69,6 +73,8 @@ void BuiltScene::setVolume(const RenderPlan& plan) {
 }
 
 void BuiltScene::setGradients(const RenderPlan& plan) {
+    // Gradients are counted in the volume's stored unit: squares of the data's own may leave single precision.
+    const double stored = std::abs(plan.volume->contents().slope);
     const double unit = plan.gradientField->contents().slope / plan.volume->contents().slope;
     double scale = unit;
     switch (plan.gradient) {
@@ -90,8 +96,9 @@ void BuiltScene::setGradients(const RenderPlan& plan) {
     const glm::dmat3 cellFromEye = glm::inverse(plan.rays.eyeFromMm * plan.rays.mmFromVoxel);
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column) {
-            scene_.eyeFromGradient[row][column] = static_cast<float>(plan.rays.eyeFromGradient[column][row] * scale);
-            scene_.eyeFromBend[row][column] = static_cast<float>(plan.rays.eyeFromGradient[column][row]);
+            scene_.eyeFromGradient[row][column] =
+                static_cast<float>(plan.rays.eyeFromGradient[column][row] / stored * scale);
+            scene_.eyeFromBend[row][column] = static_cast<float>(plan.rays.eyeFromGradient[column][row] / stored);
             scene_.cellFromEye[row][column] = static_cast<float>(cellFromEye[column][row]);
         }
     }
@@ -104,9 +111,10 @@ void BuiltScene::setGradients(const RenderPlan& plan) {
         }
         scene_.mmFromCell[row][3] = static_cast<float>(origin[row]);
     }
-    scene_.bendScale = static_cast<float>(unit / plan.volume->contents().slope);
-    scene_.gradientFloor = static_cast<float>(plan.gradientFloor);
-    scene_.perGradientMax = static_cast<float>(1 / plan.gradientMax);
+    scene_.bendScale = static_cast<float>(unit * stored / plan.volume->contents().slope);
+    scene_.gradientRounding = static_cast<float>(plan.gradientRounding);
+    scene_.gradientFloor = static_cast<float>(plan.gradientFloor / stored);
+    scene_.perGradientMax = static_cast<float>(stored / plan.gradientMax);
     for (const PlanLayer& layer : plan.layers) {
         scene_.readsNormal = scene_.readsNormal || readsNormal(layer);
         scene_.readsGradientScale = scene_.readsGradientScale || readsGradientScale(layer);

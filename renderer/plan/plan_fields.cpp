@@ -42,10 +42,26 @@ std::map<int, std::uint8_t> slotsOf(const RenderPlan& plan) {
     return slots;
 }
 
+/// From a point to the farthest corner of the grid.
+double greatestDistanceMm(const Grid& grid, const glm::dvec3& fromMm) {
+    double greatest = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 voxel = glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2) * glm::dvec3(grid.dims) - 0.5;
+        greatest = std::max(greatest, glm::distance(grid.mmFromVoxel(voxel), fromMm));
+    }
+    return greatest;
+}
+
+bool namesAxis(const Transfer& transfer, TransferAxis axis) {
+    return firstAxis(transfer) == axis || secondAxis(transfer) == axis;
+}
+
 std::vector<std::uint8_t> shownSlots(const Layer& layer, const std::map<int, std::uint8_t>& slots) {
     std::vector<std::uint8_t> shown(std::numeric_limits<std::uint8_t>::max() + 1, 0);
     for (const int label : *layer.labels) {
-        shown[slots.at(label)] = 1;
+        if (const auto slot = slots.find(label); slot != slots.end()) { // no voxel has a label below 0
+            shown[slot->second] = 1;
+        }
     }
     return shown;
 }
@@ -88,12 +104,17 @@ void PlanFields::chooseEstimators(RenderPlan& plan, Task& task) {
     plan.gradientField = ownCoefficients ? splines() : plan.field;
 }
 
-AxisRanges PlanFields::axisRanges(const RenderPlan& plan) {
+AxisRanges PlanFields::axisRanges(const RenderPlan& plan, const Layer& layer, Task& task) {
     AxisRanges ranges;
     if (plan.figure->secondVolume && plan.figure->secondVolume->data) {
         ranges.second = plan.figure->secondVolume->data->range();
     }
-    ranges.distance = {0, glm::length(plan.volume->grid().sizeMm())};
+    if (layer.opacity > 0 && namesAxis(layer.transfer, TransferAxis::distance)) {
+        // No farther than anything is: a table's entries are few.
+        const auto& origin = layer.transfer.distance;
+        ranges.distance = {0, origin && origin->fromMm ? greatestDistanceMm(plan.volume->grid(), *origin->fromMm)
+                                                       : distanceMap(plan, layer, task)->range().high};
+    }
     // A ball of two voxels' radius is the smallest whose curvature voxels can hold.
     ranges.curvature = {0, 0.5 / plan.volume->grid().smallestSpacingMm()};
     return ranges;
@@ -103,7 +124,7 @@ void PlanFields::addFields(RenderPlan& plan, Task& task) {
     addLabels(plan, task);
     for (PlanLayer& layer : plan.layers) {
         if (readsAxis(layer, TransferAxis::distance) && !layer.distanceFromMm) {
-            addDistance(plan, layer, task);
+            layer.distance = distanceMap(plan, *layer.source, task);
         }
     }
     const auto readsSecond = [](const PlanLayer& layer) { return readsAxis(layer, TransferAxis::second); };
@@ -138,10 +159,10 @@ void PlanFields::addLabels(RenderPlan& plan, Task& task) {
     }
 }
 
-void PlanFields::addDistance(RenderPlan& plan, PlanLayer& layer, Task& task) {
+const PlanFields::VolumePointer& PlanFields::distanceMap(const RenderPlan& plan, const Layer& layer, Task& task) {
     const VolumePointer& labels = labelsOf(plan);
-    const int label = layer.source->transfer.distance ? layer.source->transfer.distance->label : 0;
-    layer.distance = distances_.get({labels, plan.volume, label}, [&] {
+    const int label = layer.transfer.distance ? layer.transfer.distance->label : 0;
+    return distances_.get({labels, plan.volume, label}, [&] {
         // On the scan's grid first: beyond the label volume there is no label, not distance 0.
         const auto onGrid = labelSlots(*labels, plan.volume->grid(), {{label, std::uint8_t{1}}}, task);
         const auto distance = distanceToLabel(*onGrid, 1, task);

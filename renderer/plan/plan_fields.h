@@ -44,8 +44,8 @@ class PlanFields {
   public:
     /// Fills in `interpolation`, `gradient` and their fields.
     void chooseEstimators(RenderPlan& plan, Task& task);
-    /// Ranges of the axes that layers of the figure may use, on the plan's volume.
-    AxisRanges axisRanges(const RenderPlan& plan);
+    /// Ranges of the axes that a layer may use, on the plan's volume. Throws as `addFields` does.
+    AxisRanges axisRanges(const RenderPlan& plan, const Layer& layer, Task& task);
     /// Fills in labels, distances and the second volume where layers read them. Throws Error(badInput) for what a layer
     /// asks for and the figure has not.
     void addFields(RenderPlan& plan, Task& task);
@@ -65,7 +65,7 @@ class PlanFields {
         friend bool operator==(const DistanceKey&, const DistanceKey&) = default;
     };
     void addLabels(RenderPlan& plan, Task& task);
-    void addDistance(RenderPlan& plan, PlanLayer& layer, Task& task);
+    const VolumePointer& distanceMap(const RenderPlan& plan, const Layer& layer, Task& task);
 
     RecentResults<VolumePointer, VolumePointer> splines_;
     RecentResults<VolumePointer, GradientEstimator> automatic_;

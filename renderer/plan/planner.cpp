@@ -46,6 +46,12 @@ double noiseGain(const RenderPlan& plan) {
     return kCentralNoiseGain;
 }
 
+/// See RenderPlan::gradientRounding: a dozen rounded operations on the largest number.
+double gradientRounding(const Volume& field) {
+    const ValueRange range = field.range();
+    return 1e-6 * std::max(std::abs(field.storedFromValue(range.low)), std::abs(field.storedFromValue(range.high)));
+}
+
 void checkDrawable(const Figure& figure) {
     if (!figure.volume || !figure.volume->data) {
         refuse("/volume", "there is no volume", "choose a scan or find the one that moved");
@@ -175,7 +181,8 @@ std::shared_ptr<const RenderPlan> Planner::plan(const Figure& figure, const Plan
     plan->clip = figure.clip;
     plan->rays = makeRayFrame(figure.camera, *plan->volume, plan->size);
     cache_->fields.chooseEstimators(*plan, task);
-    addLayers(*plan, request);
+    plan->gradientRounding = gradientRounding(*plan->gradientField);
+    addLayers(*plan, request, task);
     task.throwIfCancelled();
     cache_->fields.addFields(*plan, task);
     cache_->addSkipGrid(*plan, request);
@@ -185,13 +192,13 @@ std::shared_ptr<const RenderPlan> Planner::plan(const Figure& figure, const Plan
     return plan;
 }
 
-void Planner::addLayers(RenderPlan& plan, const PlanRequest& request) {
-    const LayerSurroundings around{*plan.figure, *plan.volume, cache_->fields.axisRanges(plan),
-                                   plan.rays.footprintMm / plan.subPixels};
+void Planner::addLayers(RenderPlan& plan, const PlanRequest& request, Task& task) {
     for (const Layer& layer : plan.figure->layers) {
         if (!layer.visible) {
             continue; // no part of the picture: to keep it in would draw it
         }
+        const LayerSurroundings around{*plan.figure, *plan.volume, cache_->fields.axisRanges(plan, layer, task),
+                                       plan.rays.footprintMm / plan.subPixels};
         PlanLayer planned = planLayer(layer, around);
         if (!request.omit || showsAnything(layer, planned.table)) {
             planned.stepOpacity = stepOpacity(planned.table.opacity, plan.lattice.stepMm / plan.referenceLengthMm);

@@ -28,7 +28,7 @@ class Planner {
     std::shared_ptr<const RenderPlan> plan(const Figure& figure, const PlanRequest& request, Task& task);
 
   private:
-    void addLayers(RenderPlan& plan, const PlanRequest& request);
+    void addLayers(RenderPlan& plan, const PlanRequest& request, Task& task);
 
     struct Cache;
     std::mutex mutex_;

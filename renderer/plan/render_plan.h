@@ -115,7 +115,10 @@ struct RenderPlan {
     double referenceLengthMm = 1; ///< d0: the smallest voxel spacing
     double earlyTermination = 0.001;
     double gradientFloor = 0; ///< data's unit per mm: below it a normal is undefined (numerics 2a)
-    double gradientMax = 1;   ///< data's unit per mm: 99.9th percentile of |gradient|, for normalised magnitudes
+    /// Stored units of `gradientField` per voxel: what single precision leaves of the weighted sums of equal voxels. A
+    /// component up to this of Sobel's, Neumann's or the B-spline's gradient counts as 0.
+    double gradientRounding = 0;
+    double gradientMax = 1; ///< data's unit per mm: 99.9th percentile of |gradient|, for normalised magnitudes
     /// How values lie between voxels, never automatic; what is interpolated: the volume, or its spline coefficients.
     Interpolation interpolation = Interpolation::linear;
     std::shared_ptr<const Volume> field;

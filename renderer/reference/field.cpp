@@ -2,7 +2,9 @@
 
 #include <glm/common.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace limner::reference {
 
@@ -80,7 +82,9 @@ struct CellPlace {
     }
 };
 
-glm::dvec3 separableGradient(const Volume& volume, const glm::dvec3& positionVoxel, GradientEstimator estimator) {
+glm::dvec3 separableGradient(const RenderPlan& plan, const glm::dvec3& positionVoxel) {
+    const Volume& volume = *plan.gradientField;
+    const GradientEstimator estimator = plan.gradient;
     const CellPlace place(volume, positionVoxel);
     std::array<Taps, 3> smooth{};
     std::array<Taps, 3> slope{};
@@ -90,9 +94,12 @@ glm::dvec3 separableGradient(const Volume& volume, const glm::dvec3& positionVox
         smooth[axis] = spline ? splineTaps(f) : smoothingTaps(f, estimator == GradientEstimator::sobel ? 2 : 1);
         slope[axis] = spline ? splineSlopeTaps(f) : differenceTaps(f);
     }
-    return {weighted(volume, place.cell, {slope[0], smooth[1], smooth[2]}),
-            weighted(volume, place.cell, {smooth[0], slope[1], smooth[2]}),
-            weighted(volume, place.cell, {smooth[0], smooth[1], slope[2]})};
+    const auto along = [&](const Taps& x, const Taps& y, const Taps& z) {
+        const double component = weighted(volume, place.cell, {x, y, z});
+        return std::abs(component) > plan.gradientRounding ? component : 0;
+    };
+    return {along(slope[0], smooth[1], smooth[2]), along(smooth[0], slope[1], smooth[2]),
+            along(smooth[0], smooth[1], slope[2])};
 }
 
 glm::dvec3 differences(const Volume& volume, const glm::dvec3& positionVoxel, bool fourthOrder) {
@@ -125,8 +132,9 @@ double valueAt(const RenderPlan& plan, const glm::dvec3& positionVoxel) {
         return trilinearAt(*plan.field, positionVoxel);
     }
     const CellPlace place(*plan.field, positionVoxel);
-    return plan.field->valueFromStored(
+    const double value = plan.field->valueFromStored(
         weighted(*plan.field, place.cell, {splineTaps(place.f.x), splineTaps(place.f.y), splineTaps(place.f.z)}));
+    return std::clamp(value, plan.volume->range().low, plan.volume->range().high);
 }
 
 glm::dvec3 indexGradient(const RenderPlan& plan, const glm::dvec3& positionVoxel) {
@@ -134,7 +142,7 @@ glm::dvec3 indexGradient(const RenderPlan& plan, const glm::dvec3& positionVoxel
     switch (plan.gradient) {
     case GradientEstimator::sobel:
     case GradientEstimator::neumann:
-    case GradientEstimator::bspline: return volumeUnits(plan) * separableGradient(field, positionVoxel, plan.gradient);
+    case GradientEstimator::bspline: return volumeUnits(plan) * separableGradient(plan, positionVoxel);
     case GradientEstimator::fourthOrder: return volumeUnits(plan) * differences(field, positionVoxel, true);
     case GradientEstimator::automatic:
     case GradientEstimator::central: break;

@@ -11,7 +11,8 @@ namespace limner::reference {
 /// position past the last centre of an axis is moved onto it; before the first centre the border voxel repeats (see
 /// BrickLayout).
 
-/// Value of the plan's field in the data's unit: the trilinear interpolant of the voxels, or the cubic B-spline.
+/// Value of the plan's field in the data's unit: the trilinear interpolant of the voxels, or the cubic B-spline, whose
+/// overshoots are cut: there are no values outside the data's range.
 double valueAt(const RenderPlan& plan, const glm::dvec3& positionVoxel);
 
 /// Gradient by the plan's estimator, in stored units of the plan's volume per voxel along the index axes; 0 along an

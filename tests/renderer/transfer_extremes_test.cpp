@@ -6,7 +6,6 @@
 #include <glm/geometric.hpp>
 
 #include <cmath>
-#include <cstdio>
 
 // Extremes of data (numerics.md 2f) with every feature of transfer functions on.
 
@@ -20,8 +19,8 @@ std::shared_ptr<const RenderPlan> plan16(const Figure& figure) {
     PlanRequest request;
     request.size = {16, 16};
     const auto& grid = figure.volume->data->grid();
-    // Some 100 samples a ray, however flat the voxels are.
-    request.lattice = SampleLattice{glm::length(grid.sizeMm()) / 100, 0.5, 0};
+    // A hundred samples on a diagonal, but steps no longer than a voxel.
+    request.lattice = SampleLattice{std::min(glm::length(grid.sizeMm()) / 100, grid.smallestSpacingMm()), 0.5, 0};
     return planOf(figure, request);
 }
 
@@ -47,16 +46,17 @@ class TransferExtremes : public ::testing::TestWithParam<std::size_t> {
         const Picture fast = renderWhole(*makeCpuBackend(), *plan);
         EXPECT_EQ(testing::unsoundPixels(exact), 0) << what;
         EXPECT_EQ(testing::unsoundPixels(fast), 0) << what;
-        const double d = testing::rootMeanSquare(exact, fast);
-        EXPECT_LT(d, bound) << what;
-        std::printf("MEASURE %s %s %.2e\n", testing::transferFeatures()[GetParam()].name.c_str(), what.c_str(), d);
+        EXPECT_LT(testing::rootMeanSquare(exact, fast), bound) << what;
     }
 };
 
 INSTANTIATE_TEST_SUITE_P(Of, TransferExtremes, ::testing::Range(std::size_t{0}, testing::transferFeatures().size()),
                          [](const auto& one) { return testing::transferFeatures()[one.param].name; });
 
-constexpr double kBound = 2e-3;
+// Tables are not made to measure here (see transfer_agreement_test.cpp).
+constexpr double kBound = 2e-4;
+// Pixels of many voxels: styles are drawn from a coarser mip level, the reference's from the picture itself.
+constexpr double kCoarseStyles = 2e-3;
 
 TEST_P(TransferExtremes, ConstantVolumes) {
     for (const double value : {0.5, 0.0}) {
@@ -86,11 +86,11 @@ TEST_P(TransferExtremes, SpacingsOfOneToAThousand) {
     Grid grid = testing::gridOf({20, 18, 14});
     grid.spacingMm = {1, 1, 1000};
     replace(figure, testing::makeVolume<float>(grid, VoxelType::float32, [](const glm::ivec3& v) {
-        return 0.5 + 0.3 * std::sin(0.3 * v.x) * std::cos(0.2 * v.y) + 0.02 * v.z;
-    }));
+                return 0.5 + 0.3 * std::sin(0.3 * v.x) * std::cos(0.2 * v.y) + 0.02 * v.z;
+            }));
     figure.camera.direction = {0.2, 0.9, 0.004};
     figure.camera.heightMm = 100;
-    expectSoundAndAlike(figure, kBound, "1:1000");
+    expectSoundAndAlike(figure, kCoarseStyles, "1:1000");
 }
 
 /// The same figure in another unit of the data.
@@ -144,18 +144,31 @@ TEST_P(TransferExtremes, AnyUnitOfTheDataIsTheSamePicture) {
     }
 }
 
-TEST_P(TransferExtremes, OpaqueAirIsNoMoreThanOpaque) {
-    // A table's lowest entry opaque, the next one clear: a place before the first entry must not add to it.
-    for (const VoxelType type : {VoxelType::uint8, VoxelType::int16, VoxelType::float32}) {
-        testing::SmoothScene scene;
-        scene.type = type;
-        Figure figure = figureOf(scene);
+TEST(TransferTables, OpaqueAirIsNoMoreThanOpaque) {
+    // A table's lowest entry opaque, the next ones clear: a place before the first entry must not add to it.
+    unsigned seed = 5;
+    const auto below = [&](int count) {
+        seed = seed * 1664525U + 1013904223U;
+        return static_cast<int>((seed >> 8U) % static_cast<unsigned>(count));
+    };
+    for (int i = 0; i < 40; ++i) {
+        const int low = below(60000) - 32768;
+        const int high = std::min(32767, low + 10 + below(60000));
+        const double slope = 0.01 * (5 + below(2000));
+        Figure figure = testing::smoothFigure({});
+        figure.volume->data = testing::makeVolume<std::int16_t>(
+            testing::gridOf(glm::ivec3(6)), VoxelType::int16,
+            [&](const glm::ivec3& v) { return v == glm::ivec3(5) ? high : low; }, slope, below(2000) - 1000);
+        const Volume& volume = *figure.volume->data;
+        figure.camera.targetMm = volume.grid().centreMm();
+        figure.camera.heightMm = 8;
+        const ValueRange range = volume.range();
         Layer& layer = figure.layers[0];
-        if (layer.transfer.kind == TransferKind::oneDimensional && layer.transfer.axis == "value") {
-            const ValueRange range = figure.volume->data->range();
-            layer.transfer.opacity = {{range.low, 1}, {range.low + (range.high - range.low) * 1e-3, 0}};
-            expectSoundAndAlike(figure, kBound, "air");
-        }
+        layer.transfer.opacity = {{range.low, 1}, {range.low + (range.high - range.low) * 1e-4, 0}};
+        EXPECT_EQ(testing::unsoundPixels(renderWhole(*makeCpuBackend(), *plan16(figure))), 0) << low << ' ' << slope;
+        figure.layers.push_back(layer);
+        figure.layers[1].opacity = 0.5;
+        EXPECT_EQ(testing::unsoundPixels(renderWhole(*makeCpuBackend(), *plan16(figure))), 0) << low << ' ' << slope;
     }
 }
 

@@ -20,14 +20,15 @@ std::shared_ptr<const Volume> randomVolume(glm::ivec3 dims, unsigned seed) {
     return std::make_shared<const Volume>(contents, std::as_bytes(std::span(voxels)));
 }
 
-/// Lowest and highest voxel that any trilinear sample inside a block can read, straight from the definition.
-std::pair<double, double> blockRange(const Volume& volume, glm::ivec3 block) {
+/// Lowest and highest voxel that any sample inside a block can read, straight from the definition; `more`: voxels
+/// beyond the cells' corners.
+std::pair<double, double> blockRange(const Volume& volume, glm::ivec3 block, int more) {
     double low = 1e9;
     double high = -1e9;
     const glm::ivec3 first = block * MinMaxGrid::kBlockCells - 1; // cell c spans the voxels c-1 and c
-    for (int z = 0; z <= MinMaxGrid::kBlockCells; ++z) {
-        for (int y = 0; y <= MinMaxGrid::kBlockCells; ++y) {
-            for (int x = 0; x <= MinMaxGrid::kBlockCells; ++x) {
+    for (int z = -more; z <= MinMaxGrid::kBlockCells + more; ++z) {
+        for (int y = -more; y <= MinMaxGrid::kBlockCells + more; ++y) {
+            for (int x = -more; x <= MinMaxGrid::kBlockCells + more; ++x) {
                 const double v = volume.storedAt(first + glm::ivec3(x, y, z));
                 low = std::min(low, v);
                 high = std::max(high, v);
@@ -38,19 +39,18 @@ std::pair<double, double> blockRange(const Volume& volume, glm::ivec3 block) {
 }
 
 TEST(MinMaxGrid, CoversWhatSamplesRead) {
-    for (const glm::ivec3 dims :
-         {glm::ivec3(1, 1, 1), glm::ivec3(5, 4, 3), glm::ivec3(33, 32, 31), glm::ivec3(70, 9, 40)}) {
-        const auto volume = randomVolume(dims, 7);
-        const auto grid = computeMinMaxGrid(*volume);
-        ASSERT_EQ(grid->blocks, (dims + 3) / 4);
-        std::size_t i = 0;
-        for (int z = 0; z < grid->blocks.z; ++z) {
-            for (int y = 0; y < grid->blocks.y; ++y) {
-                for (int x = 0; x < grid->blocks.x; ++x, ++i) {
-                    const auto [low, high] = blockRange(*volume, {x, y, z});
-                    ASSERT_EQ(grid->low[i], low) << x << ' ' << y << ' ' << z;
-                    ASSERT_EQ(grid->high[i], high) << x << ' ' << y << ' ' << z;
-                }
+    for (const SampleReach reach : {SampleReach::cell, SampleReach::neighbours}) {
+        for (const glm::ivec3 dims :
+             {glm::ivec3(1, 1, 1), glm::ivec3(5, 4, 3), glm::ivec3(33, 32, 31), glm::ivec3(70, 9, 40)}) {
+            const auto volume = randomVolume(dims, 7);
+            const auto grid = computeMinMaxGrid(*volume, reach);
+            ASSERT_EQ(grid->blocks, (dims + 3) / 4);
+            for (int i = 0; i < grid->blocks.x * grid->blocks.y * grid->blocks.z; ++i) {
+                const glm::ivec3 block(i % grid->blocks.x, i / grid->blocks.x % grid->blocks.y,
+                                       i / (grid->blocks.x * grid->blocks.y));
+                const auto [low, high] = blockRange(*volume, block, reach == SampleReach::cell ? 0 : 1);
+                ASSERT_EQ(grid->low[static_cast<std::size_t>(i)], low) << i;
+                ASSERT_EQ(grid->high[static_cast<std::size_t>(i)], high) << i;
             }
         }
     }
