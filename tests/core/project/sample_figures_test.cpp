@@ -49,7 +49,10 @@ class Samples : public ::testing::Test {
     }
 
     Document open(const std::string& scan, const std::string& id, const fs::path& labels = {}) {
-        return openDocument(in(scan), OpenOptions{"", labels, {}, id}, task);
+        OpenOptions options;
+        options.labels = labels;
+        options.sample = id;
+        return openDocument(in(scan), options, task);
     }
 };
 
