@@ -28,8 +28,8 @@ class FigureOptions {
     /// Threads and memory.
     void declareMachine(CLI::App& app);
 
-    /// Opens the file and applies everything, in this order: preset or sample figure, theme, size, view, settings. Says what was
-    /// noticed.
+    /// Opens the file and applies everything, in this order: preset or sample figure, theme, size, view, settings. Says
+    /// what was noticed.
     [[nodiscard]] Document open(Console& console) const;
     /// As `open`, but only reads: no preset is laid over, nothing is changed.
     [[nodiscard]] Document openAsIs(Console& console) const;

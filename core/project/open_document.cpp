@@ -318,10 +318,10 @@ Document documentFromSample(const fs::path& path, const OpenOptions& open, Task&
     ImportedVolume imported = importVolume(path, open.import, task);
     figure.volume = referenceTo(path, imported, open.import);
     document.volumeReport = std::move(imported.report);
-    if (figure.background.kind == "image") {
-        figure.background.file = (file.parent_path() / figure.background.file).string();
-    }
     std::error_code ignored;
+    if (figure.background.kind == "image") { // of the figure's folder; all else is looked for in the scan's
+        figure.background.file = (fs::absolute(file, ignored).parent_path() / figure.background.file).string();
+    }
     const fs::path folder = fs::absolute(path, ignored).parent_path();
     if (!open.labels.empty()) {
         figure.labels.reset();

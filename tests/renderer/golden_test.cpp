@@ -3,6 +3,7 @@
 #include "core/project/sample_figures.h"
 #include "core/volume/phantom.h"
 #include "renderer/backend.h"
+#include "renderer/export/picture_file.h"
 #include "renderer/plan/planner.h"
 #include "support/test_data.h"
 
@@ -65,13 +66,16 @@ std::optional<Figure> loadCase(const fs::path& folder) {
     }
     Task task;
     resolveFigure(document, file.parent_path(), {}, task);
+    for (const std::string& note : document.notes) {
+        ADD_FAILURE() << note;
+    }
     for (const Problem& problem : validateFigure(figure)) {
-        ADD_FAILURE() << problem.pointer << ": " << problem.why;
+        EXPECT_FALSE(problem.fatal) << problem.pointer << ": " << problem.why;
     }
     return figure;
 }
 
-/// The picture on white, 0..1, three numbers a pixel.
+/// The picture before its background, 0..1, three numbers a pixel.
 std::vector<float> draw(const Figure& figure) {
     Planner planner;
     Task task;
@@ -80,9 +84,10 @@ std::vector<float> draw(const Figure& figure) {
     const auto plan = planner.plan(figure, request, task);
     const Picture picture = makeCpuBackend()->render(*plan, {{0, 0}, request.size}, task).picture;
     std::vector<float> rgb;
-    for (std::size_t i = 0; i < picture.rgba().size(); i += 4) {
-        for (std::size_t c = 0; c < 3; ++c) {
-            rgb.push_back(picture.rgba()[i + c] + 1 - picture.rgba()[i + 3]);
+    const std::vector<std::uint8_t> rgba = toRgba8(picture, pictureOptions(figure));
+    for (std::size_t i = 0; i < rgba.size(); ++i) {
+        if (i % 4 != 3) {
+            rgb.push_back(static_cast<float>(rgba[i]) / 255.0F);
         }
     }
     return rgb;

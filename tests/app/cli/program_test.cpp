@@ -51,9 +51,17 @@ void expectError(std::vector<std::string> arguments, int code, const std::string
 // ---- help
 
 TEST(Program, HelpOfEveryCommandHasExamplesAndEndsWell) {
-    const std::vector<std::vector<std::string>> commands{
-        {},          {"render"},    {"new"},           {"info"},          {"validate"},
-        {"explain"}, {"self-test"}, {"style", "list"}, {"theme", "list"}, {"preset", "list"}};
+    const std::vector<std::vector<std::string>> commands{{},
+                                                         {"render"},
+                                                         {"new"},
+                                                         {"info"},
+                                                         {"validate"},
+                                                         {"explain"},
+                                                         {"self-test"},
+                                                         {"style", "list"},
+                                                         {"theme", "list"},
+                                                         {"preset", "list"},
+                                                         {"figure", "list"}};
     for (auto arguments : commands) {
         arguments.emplace_back("--help");
         const ProgramRun help = run(arguments);
@@ -76,6 +84,8 @@ TEST(Program, WrongUsageEndsWith2AndNamesTheNearest) {
     expectError({"render", "-o", "b.png"}, 2, "FIGURE-or-VOLUME");
     expectError({"render", "a.nrrd", "-o", "b.png", "--preset", "skul"}, 2, "did you mean skull?");
     expectError({"render", "a.nrrd", "-o", "b.png", "--theme", "grey"}, 2, "gray");
+    expectError({"render", "a.nrrd", "-o", "b.png", "--figure", "contours-evn"}, 2, "did you mean contours-even?");
+    expectError({"render", "a.nrrd", "-o", "b.png", "--figure", "contours-even", "--preset", "skull"}, 2, "--preset");
     expectError({"render", "a.nrrd", "-o", "b.png", "--view", "top"}, 2, "superior");
     expectError({"render", "a.nrrd", "-o", "b.png", "--depth", "12"}, 2, "float");
     expectError({"render", "a.nrrd", "-o", "b.png", "--background", "#12"}, 2, "#rrggbb");
@@ -296,6 +306,12 @@ TEST(Program, ListsHaveWhatIsThere) {
         EXPECT_FALSE(themes.at(0).at(key).get<std::string>().empty()) << key;
     }
     EXPECT_EQ(static_cast<std::size_t>(lines(run({"theme", "list"}).out)), themes.size());
+    const auto figures = run({"figure", "list", "--json"}).facts().at("figures");
+    EXPECT_GE(figures.size(), 12U);
+    for (const char* key : {"id", "title", "scan"}) {
+        EXPECT_FALSE(figures.at(0).at(key).get<std::string>().empty()) << key;
+    }
+    EXPECT_EQ(static_cast<std::size_t>(lines(run({"figure", "list"}).out)), figures.size());
     const ProgramRun text = run({"style", "list"});
     EXPECT_EQ(static_cast<std::size_t>(lines(text.out)), styles.size());
 }
