@@ -55,7 +55,8 @@ struct Field {
 
     const KernelScene& scene;
 
-    /// Lanes outside `live` may stand anywhere; they look at the first cell.
+    /// Lanes outside `live` may stand anywhere; they look at the store's begin, where a cell may be read but nothing
+    /// before it: good for trilinear values alone.
     HWY_INLINE Place locate(const Vec3& q, Mask live) const {
         const Ints ix = truncate(q.x);
         const Ints iy = truncate(q.y);

@@ -109,8 +109,13 @@ class March {
             if (edge) {
                 part = segment();
             }
-            const Vec3 q = position(hn::MulAdd(part.length, splat(scene_.phase), part.begin));
-            const Place place = field_.locate(q, alive_);
+            Vec3 q = position(hn::MulAdd(part.length, splat(scene_.phase), part.begin));
+            Mask located = alive_;
+            if (scene_.spline) { // reads before the cell: lanes that are done stand in the first one
+                q = {hn::IfThenElseZero(alive_, q.x), hn::IfThenElseZero(alive_, q.y), hn::IfThenElseZero(alive_, q.z)};
+                located = hn::FirstN(kF, hn::Lanes(kF));
+            }
+            const Place place = field_.locate(q, located);
             const Floats found = hn::MulAdd(field_.value(place), splat(scene_.tableScale), splat(scene_.tableBias));
             Floats entry = hn::IfThenElseZero(alive_, found); // the others may hold anything
             if (scene_.spline) {

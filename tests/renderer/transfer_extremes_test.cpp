@@ -5,7 +5,11 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
 
 // Extremes of data (numerics.md 2f) with every feature of transfer functions on.
 
@@ -141,6 +145,50 @@ TEST_P(TransferExtremes, AnyUnitOfTheDataIsTheSamePicture) {
             EXPECT_EQ(testing::unsoundPixels(other), 0) << exponent;
             EXPECT_LT(testing::largestDifference(picture, other), 1e-5) << backend->name() << " 2^" << exponent;
         }
+    }
+}
+
+/// The smooth scene's voxels as a file keeps them, one of them replaced.
+std::shared_ptr<const Volume> importedWith(float voxel) {
+    const auto smooth = testing::smoothFigure({}).volume->data;
+    const glm::ivec3 dims = smooth->grid().dims;
+    std::vector<float> values;
+    for (int i = 0; i < dims.x * dims.y * dims.z; ++i) {
+        values.push_back(static_cast<float>(smooth->valueAt({i % dims.x, i / dims.x % dims.y, i / dims.x / dims.y})));
+    }
+    const float lowest = *std::min_element(values.begin(), values.end());
+    const int middle = (dims.z / 2 * dims.y + dims.y / 2) * dims.x + dims.x / 2;
+    values[static_cast<std::size_t>(middle)] = std::isnan(voxel) ? voxel : lowest;
+    const auto path = std::filesystem::temp_directory_path() / "limner-transfer-extremes.raw";
+    std::ofstream(path, std::ios::binary)
+        .write(reinterpret_cast<const char*>(values.data()),
+               static_cast<std::streamsize>(values.size() * sizeof(float)));
+    ImportOptions options;
+    options.raw =
+        std::to_string(dims.x) + "x" + std::to_string(dims.y) + "x" + std::to_string(dims.z) + ":float32:le:1,1.25,0.8";
+    Task task;
+    auto imported = importVolume(path, options, task);
+    std::filesystem::remove(path);
+    return imported.volume;
+}
+
+TEST(TransferHoles, ANanVoxelGivesTheMaskedPicture) {
+    const auto holed = importedWith(std::numeric_limits<float>::quiet_NaN());
+    const auto masked = importedWith(0);
+    ASSERT_EQ(holed->contents().nonFinite, 1U);
+    for (const testing::TransferFeature& feature : testing::transferFeatures()) {
+        Figure figure = testing::smoothFigure({});
+        feature.apply(figure);
+        figure.camera.targetMm = holed->grid().centreMm();
+        figure.labels->data = testing::makeVolume<std::uint8_t>(holed->grid(), VoxelType::uint8,
+                                                                [](const glm::ivec3& v) { return v.x < 14 ? 3 : 7; });
+        const auto picture = [&](const std::shared_ptr<const Volume>& volume) {
+            figure.volume->data = volume;
+            return renderWhole(*makeCpuBackend(), *plan16(figure));
+        };
+        const Picture withHole = picture(holed);
+        EXPECT_EQ(testing::unsoundPixels(withHole), 0) << feature.name;
+        EXPECT_TRUE(testing::sameBits(withHole, picture(masked))) << feature.name;
     }
 }
 

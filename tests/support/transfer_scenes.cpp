@@ -169,8 +169,8 @@ void makePlane(Layer& layer, const std::string& first, const std::string& second
     for (std::size_t row = 0; row < transfer.grid->y.size(); ++row) {
         transfer.grid->styles.emplace_back();
         for (std::size_t column = 0; column < transfer.grid->x.size(); ++column, ++cell) {
-            transfer.grid->styles.back().emplace_back(
-                (layer.shading == Shading::style ? kCells : kPlainCells)[cell % 5]);
+            transfer.grid->styles.back().emplace_back(layer.shading == Shading::style ? kCells[cell % 5]
+                                                                                      : kPlainCells[cell % 5]);
         }
     }
     OpacityShape shape;
