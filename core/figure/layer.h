@@ -75,7 +75,7 @@ enum class Transparency { uniform, illustrative };
 
 /// How the curvature along the view is measured.
 enum class CurvatureEstimator {
-    hessian, ///< second derivatives of the cubic B-spline through the sample's 4^3 voxels
+    hessian, ///< second derivatives of the smoothed scan
     normals, ///< angle between two normals along the ray, `Contours::probeVoxels` apart (paper 000)
 };
 

@@ -171,20 +171,20 @@ struct Facts {
         return hn::IfThenElseZero(hn::Gt(trust, splat(0)), hn::Mul(trust, v));
     }
 
-    /// core/optics/contour.h, curvatureAlongView.
+    /// core/optics/contour.h, curvatureAlongView; gradient and tangent plane of the bend field itself.
     HWY_NOINLINE Floats bendAlongView() const {
         const KernelScene& scene = field.scene;
-        const Vec3 tangent = {hn::NegMulAdd(normal.facing, normal.eye.x, view.x),
-                              hn::NegMulAdd(normal.facing, normal.eye.y, view.y),
-                              hn::NegMulAdd(normal.facing, normal.eye.z, view.z)};
-        const Vec3 u = turnedBack(scene.eyeFromBend, tangent);
         const BendSums h = field.bends(place);
+        const Vec3 g = turned(scene.eyeFromBend, {h.x, h.y, h.z});
+        const Floats squared = dot(g, g);
+        const Floats along = hn::Div(dot(g, view), hn::Max(squared, splat(1e-36F)));
+        const Vec3 tangent = {hn::NegMulAdd(along, g.x, view.x), hn::NegMulAdd(along, g.y, view.y),
+                              hn::NegMulAdd(along, g.z, view.z)};
+        const Vec3 u = turnedBack(scene.eyeFromBend, tangent);
         const optics::Hessian<Lanes> hessian = {Lanes{h.xx}, Lanes{h.yy}, Lanes{h.zz},
                                                 Lanes{h.xy}, Lanes{h.xz}, Lanes{h.yz}};
         const Lanes second = optics::quadraticForm(hessian, optics::Vector3<Lanes>{Lanes{u.x}, Lanes{u.y}, Lanes{u.z}});
-        return optics::curvatureAlongView(Lanes{hn::Mul(second.v, splat(scene.bendScale))},
-                                          Lanes{dot(tangent, tangent)}, Lanes{normal.magnitude})
-            .v;
+        return optics::curvatureAlongView(second, Lanes{dot(tangent, tangent)}, Lanes{hn::Sqrt(squared)}).v;
     }
 };
 

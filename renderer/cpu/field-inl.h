@@ -203,7 +203,7 @@ struct Field {
     }
 
     HWY_NOINLINE BendSums bends(const Place& place) const {
-        return scene.gradientOfOwnType ? bendsOf<Voxel>(place) : bendsOf<Coefficient>(place);
+        return scene.bendOfOwnType ? bendsOf<Voxel>(place) : bendsOf<Coefficient>(place);
     }
 
     /// (8 (f(q + 1) - f(q - 1)) - (f(q + 2) - f(q - 2))) / 6 along each axis: like a difference over two voxels.
@@ -256,7 +256,7 @@ struct Field {
   private:
     template <typename Store>
     HWY_INLINE Vec3 tapsGradientOf(const Place& place, const AxisTaps& x, const AxisTaps& y, const AxisTaps& z) const {
-        const Rows<Store, Offset> rows = rowsOf<Store>(place);
+        const Rows<Store, Offset> rows = rowsOf<Store>(scene.gradientBricks, place);
         Vec3 g = {splat(0), splat(0), splat(0)};
         for (int k = 0; k < 4; ++k) {
             Vec3 slice = {splat(0), splat(0), splat(0)}; // slope along x, along y, value
@@ -285,9 +285,9 @@ struct Field {
         const Taps xx = splineBendTaps(place.fx);
         const Taps yy = splineBendTaps(place.fy);
         const Taps zz = splineBendTaps(place.fz);
-        const Rows<Store, Offset> rows = rowsOf<Store>(place);
+        const Rows<Store, Offset> rows = rowsOf<Store>(scene.bendBricks, place);
         const Floats zero = splat(0);
-        BendSums sum = {zero, zero, zero, zero, zero, zero};
+        BendSums sum = {zero, zero, zero, zero, zero, zero, zero, zero, zero};
         for (int k = 0; k < 4; ++k) {
             Floats value = zero, alongX = zero, alongY = zero, xxSlice = zero, yySlice = zero, xySlice = zero;
             for (int j = 0; j < 4; ++j) {
@@ -301,6 +301,9 @@ struct Field {
                 yySlice = hn::MulAdd(yy.at[j], rowValue, yySlice);
                 xySlice = hn::MulAdd(y.slope.at[j], rowSlope, xySlice);
             }
+            sum.x = hn::MulAdd(z.value.at[k], alongX, sum.x);
+            sum.y = hn::MulAdd(z.value.at[k], alongY, sum.y);
+            sum.z = hn::MulAdd(z.slope.at[k], value, sum.z);
             sum.xx = hn::MulAdd(z.value.at[k], xxSlice, sum.xx);
             sum.yy = hn::MulAdd(z.value.at[k], yySlice, sum.yy);
             sum.zz = hn::MulAdd(zz.at[k], value, sum.zz);
@@ -311,10 +314,10 @@ struct Field {
         return sum;
     }
 
-    /// Of the store that gradients are measured on.
+    /// Of a store beside the voxels.
     template <typename Store>
-    HWY_INLINE Rows<Store, Offset> rowsOf(const Place& place) const {
-        return Rows<Store, Offset>(scene.gradientBricks, place.template offsetsIn<sizeof(Store), kBytes>());
+    static HWY_INLINE Rows<Store, Offset> rowsOf(const std::uint8_t* bricks, const Place& place) {
+        return Rows<Store, Offset>(bricks, place.template offsetsIn<sizeof(Store), kBytes>());
     }
 };
 

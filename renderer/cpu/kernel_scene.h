@@ -114,12 +114,13 @@ struct KernelScene {
     bool spline = false; ///< values by the cubic B-spline instead of linear interpolation
     KernelGradient gradient = KernelGradient::central;
     KernelTaps gradientTaps = KernelTaps::spline;
-    const std::uint8_t* gradientBricks = nullptr; ///< what taps and second derivatives read
+    const std::uint8_t* gradientBricks = nullptr; ///< what taps read
     bool gradientOfOwnType = true;                ///< the voxels' type; else int16 (float32 beside float32 voxels)
     float eyeFromGradient[3][3]{}; ///< rows: right, up, towards the viewer; stored units per mm from the kernel's own
-    float eyeFromBend[3][3]{};     ///< the same for second derivatives, in stored units
-    float bendScale = 1;           ///< of u' H u with u = transpose(eyeFromBend) t
-    float gradientRounding = 0;    ///< components of tap gradients up to this are 0; in stored units
+    const std::uint8_t* bendBricks = nullptr; ///< what the curvature's derivatives read
+    bool bendOfOwnType = true;                ///< as gradientOfOwnType
+    float eyeFromBend[3][3]{};                ///< the same rows for their gradient, from its stored units per voxel
+    float gradientRounding = 0;               ///< components of tap gradients up to this are 0; in stored units
     float gradientFloor = 0;
     float perGradientMax = 1; ///< 1 / the gradient that counts as 1
 

@@ -32,6 +32,7 @@ void copy(const glm::dvec3& from, double (&to)[3]) {
 BuiltScene::BuiltScene(const RenderPlan& plan) {
     setVolume(plan);
     setGradients(plan);
+    setBends(plan);
     setRays(plan);
     setClip(plan);
     setTables(plan);
@@ -52,6 +53,7 @@ void BuiltScene::setVolume(const RenderPlan& plan) {
     // A store beside the voxels may take more room than they do.
     std::size_t largest = std::max(field.bytes(), plan.gradientField->bytes());
     largest = std::max(largest, plan.secondVolume ? plan.secondVolume->bytes() : 0);
+    largest = std::max(largest, plan.bendField ? plan.bendField->bytes() : 0);
     for (const PlanLayer& layer : plan.layers) {
         largest = std::max(largest, layer.distance ? layer.distance->bytes() : 0);
     }
@@ -98,7 +100,6 @@ void BuiltScene::setGradients(const RenderPlan& plan) {
         for (int column = 0; column < 3; ++column) {
             scene_.eyeFromGradient[row][column] =
                 static_cast<float>(plan.rays.eyeFromGradient[column][row] / stored * scale);
-            scene_.eyeFromBend[row][column] = static_cast<float>(plan.rays.eyeFromGradient[column][row] / stored);
             scene_.cellFromEye[row][column] = static_cast<float>(cellFromEye[column][row]);
         }
     }
@@ -111,14 +112,27 @@ void BuiltScene::setGradients(const RenderPlan& plan) {
         }
         scene_.mmFromCell[row][3] = static_cast<float>(origin[row]);
     }
-    scene_.bendScale = static_cast<float>(unit * stored / plan.volume->contents().slope);
     scene_.gradientRounding = static_cast<float>(plan.gradientRounding);
     scene_.gradientFloor = static_cast<float>(plan.gradientFloor / stored);
     scene_.perGradientMax = static_cast<float>(stored / plan.gradientMax);
     for (const PlanLayer& layer : plan.layers) {
         scene_.readsNormal = scene_.readsNormal || readsNormal(layer);
         scene_.readsGradientScale = scene_.readsGradientScale || readsGradientScale(layer);
-        scene_.readsBend = scene_.readsBend || readsSecondDerivatives(layer);
+    }
+}
+
+void BuiltScene::setBends(const RenderPlan& plan) {
+    if (!plan.bendField) {
+        return;
+    }
+    scene_.readsBend = true;
+    scene_.bendBricks = reinterpret_cast<const std::uint8_t*>(plan.bendField->bricks());
+    scene_.bendOfOwnType = plan.bendField->type() == plan.field->type();
+    const double slope = plan.volume->contents().slope; // a curvature has nothing of the data's unit
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) {
+            scene_.eyeFromBend[row][column] = static_cast<float>(plan.rays.eyeFromGradient[column][row] / slope);
+        }
     }
 }
 

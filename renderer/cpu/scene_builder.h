@@ -24,6 +24,7 @@ class BuiltScene {
     void setClip(const RenderPlan& plan);
     void setTables(const RenderPlan& plan);
     void setGradients(const RenderPlan& plan);
+    void setBends(const RenderPlan& plan);
     void setValueTable(const RenderPlan& plan, std::vector<float> visibility);
     /// Range and number of a table's entries along an axis.
     struct AxisEntries {

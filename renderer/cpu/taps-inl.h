@@ -83,9 +83,9 @@ HWY_INLINE Floats weighted(const RowVoxels& row, const Taps& taps) {
         hn::MulAdd(row.at[1], taps.at[1], hn::MulAdd(row.at[2], taps.at[2], hn::Mul(row.at[3], taps.at[3]))));
 }
 
-/// Second derivatives, stored units per voxel squared.
+/// First and second derivatives, stored units per voxel and per voxel squared.
 struct BendSums {
-    Floats xx, yy, zz, xy, xz, yz;
+    Floats x, y, z, xx, yy, zz, xy, xz, yz;
 };
 
 /// The 4^3 voxels around a cell in a store of `Store`s; offsets in bytes to the cell's lower voxel. All lie in the

@@ -100,6 +100,7 @@ void describePlan(RenderPlan& plan, const PlanRequest& request) {
     plan.bytes += plan.volume != plan.figure->volume->data ? plan.volume->bytes() : 0;
     plan.bytes += plan.field != plan.volume ? plan.field->bytes() : 0;
     plan.bytes += plan.gradientField != plan.field ? plan.gradientField->bytes() : 0;
+    plan.bytes += plan.bendField ? plan.bendField->bytes() : 0;
     plan.bytes += plan.labels ? plan.labels->bytes() : 0;
     plan.bytes += plan.secondVolume ? plan.secondVolume->bytes() : 0;
 }

@@ -46,8 +46,8 @@ class PlanFields {
     void chooseEstimators(RenderPlan& plan, Task& task);
     /// Ranges of the axes that a layer may use, on the plan's volume. Throws as `addFields` does.
     AxisRanges axisRanges(const RenderPlan& plan, const Layer& layer, Task& task);
-    /// Fills in labels, distances and the second volume where layers read them. Throws Error(badInput) for what a layer
-    /// asks for and the figure has not.
+    /// Fills in labels, distances, the second volume and the field that curvature is measured on where layers read
+    /// them. Throws Error(badInput) for what a layer asks for and the figure has not.
     void addFields(RenderPlan& plan, Task& task);
 
   private:
@@ -69,6 +69,8 @@ class PlanFields {
 
     RecentResults<VolumePointer, VolumePointer> splines_;
     RecentResults<VolumePointer, GradientEstimator> automatic_;
+    RecentResults<VolumePointer, VolumePointer> slices_; ///< thick ones, blurred
+    RecentResults<VolumePointer, VolumePointer> bends_;
     RecentResults<LabelKey, VolumePointer> slots_;
     RecentResults<DistanceKey, VolumePointer> distances_{4}; ///< layers may each have their own
     RecentResults<std::pair<VolumePointer, VolumePointer>, VolumePointer> second_;

@@ -36,7 +36,7 @@ std::vector<float> stepOpacity(const std::vector<float>& opacity, double ratio) 
 /// Standard deviation of the gradient's components for unit white noise and unit spacing (spec accuracy.md 1.6).
 double noiseGain(const RenderPlan& plan) {
     switch (plan.gradient) {
-    case GradientEstimator::sobel: return 0.267;
+    case GradientEstimator::sobel: return plan.gradientField == plan.field ? 0.267 : 0.12; // blurred thick slices
     case GradientEstimator::neumann: return 0.236;
     case GradientEstimator::fourthOrder: return 0.950;
     case GradientEstimator::bspline: return plan.gradientField == plan.volume ? 0.354 : 1.18; // not prefiltered

@@ -122,9 +122,13 @@ struct RenderPlan {
     /// How values lie between voxels, never automatic; what is interpolated: the volume, or its spline coefficients.
     Interpolation interpolation = Interpolation::linear;
     std::shared_ptr<const Volume> field;
-    /// How gradients are measured, never automatic, and on what: the field, or the volume's spline coefficients.
+    /// How gradients are measured, never automatic, and on what: the field, the volume's spline coefficients, or thick
+    /// slices blurred.
     GradientEstimator gradient = GradientEstimator::central;
     std::shared_ptr<const Volume> gradientField;
+    /// The scan, smoothed, as steering points of a cubic B-spline whose derivatives give the curvature along the view;
+    /// null where no layer reads it.
+    std::shared_ptr<const Volume> bendField;
     std::shared_ptr<const Volume> labels;       ///< label slots on the volume's grid; null where no layer reads them
     std::shared_ptr<const Volume> secondVolume; ///< on the volume's grid; null where no layer reads it
     Clip clip;

@@ -150,8 +150,8 @@ glm::dvec3 indexGradient(const RenderPlan& plan, const glm::dvec3& positionVoxel
     return volumeUnits(plan) * differences(field, positionVoxel, false);
 }
 
-optics::Hessian<double> indexHessian(const RenderPlan& plan, const glm::dvec3& positionVoxel) {
-    const Volume& field = *plan.gradientField;
+Derivatives indexBend(const RenderPlan& plan, const glm::dvec3& positionVoxel) {
+    const Volume& field = *plan.bendField;
     const CellPlace place(field, positionVoxel);
     std::array<Taps, 3> value{};
     std::array<Taps, 3> slope{};
@@ -161,12 +161,10 @@ optics::Hessian<double> indexHessian(const RenderPlan& plan, const glm::dvec3& p
         slope[axis] = splineSlopeTaps(place.f[axis]);
         bend[axis] = splineBendTaps(place.f[axis]);
     }
-    const double unit = volumeUnits(plan);
-    const auto of = [&](const Taps& x, const Taps& y, const Taps& z) {
-        return unit * weighted(field, place.cell, {x, y, z});
-    };
-    return {of(bend[0], value[1], value[2]),  of(value[0], bend[1], value[2]),  of(value[0], value[1], bend[2]),
-            of(slope[0], slope[1], value[2]), of(slope[0], value[1], slope[2]), of(value[0], slope[1], slope[2])};
+    const auto of = [&](const Taps& x, const Taps& y, const Taps& z) { return weighted(field, place.cell, {x, y, z}); };
+    return {{of(slope[0], value[1], value[2]), of(value[0], slope[1], value[2]), of(value[0], value[1], slope[2])},
+            {of(bend[0], value[1], value[2]), of(value[0], bend[1], value[2]), of(value[0], value[1], bend[2]),
+             of(slope[0], slope[1], value[2]), of(slope[0], value[1], slope[2]), of(value[0], slope[1], slope[2])}};
 }
 
 } // namespace limner::reference

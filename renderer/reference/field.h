@@ -20,8 +20,14 @@ double valueAt(const RenderPlan& plan, const glm::dvec3& positionVoxel);
 /// Neumann's are taken at the voxels and interpolated trilinearly; the B-spline's is its own derivative.
 glm::dvec3 indexGradient(const RenderPlan& plan, const glm::dvec3& positionVoxel);
 
-/// Second derivatives of the cubic B-spline over the plan's gradient field, units as the gradient's per voxel.
-optics::Hessian<double> indexHessian(const RenderPlan& plan, const glm::dvec3& positionVoxel);
+/// First and second derivatives of a field along the index axes.
+struct Derivatives {
+    glm::dvec3 gradient;
+    optics::Hessian<double> hessian;
+};
+
+/// Of the cubic B-spline that the plan's bend field steers, in its stored units per voxel and per voxel squared.
+Derivatives indexBend(const RenderPlan& plan, const glm::dvec3& positionVoxel);
 
 /// Trilinear value of any volume in its unit.
 double trilinearAt(const Volume& volume, const glm::dvec3& positionVoxel);

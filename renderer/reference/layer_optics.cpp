@@ -32,17 +32,20 @@ Normal unitNormal(const glm::dvec3& gradientEye) {
     return optics::normalFromGradient<double>({gradientEye.x, gradientEye.y, gradientEye.z});
 }
 
-/// Curvature along the view from the second derivatives (core/optics/contour.h).
-double bendAt(const RenderPlan& plan, const glm::dvec3& positionVoxel, const Normal& normalEye,
-              const glm::dvec3& viewEye, double magnitude) {
-    const glm::dvec3 n(normalEye.x, normalEye.y, normalEye.z);
+/// Curvature along the view from the second derivatives (core/optics/contour.h). Gradient and tangent plane are those
+/// of the field that the second derivatives are of: another field's would be another surface.
+double bendAt(const RenderPlan& plan, const glm::dvec3& positionVoxel, const glm::dvec3& viewEye) {
+    // A curvature has nothing of the data's unit: the field counts in its own.
+    const glm::dmat3 eyeFromIndex = plan.rays.eyeFromGradient / plan.volume->contents().slope;
+    const Derivatives field = indexBend(plan, positionVoxel);
+    const glm::dvec3 g = eyeFromIndex * field.gradient;
+    const Normal normal = unitNormal(g);
+    const glm::dvec3 n(normal.x, normal.y, normal.z);
     const glm::dvec3 tangent = viewEye - glm::dot(n, viewEye) * n;
-    // The gradient in eye space is A g, so the Hessian there is A H A^T.
-    const glm::dvec3 u = glm::transpose(plan.rays.eyeFromGradient) * tangent;
-    // One A turns the second derivative's units, the other the first's: divided out by the stored unit.
-    const double second = optics::quadraticForm<double>(indexHessian(plan, positionVoxel), {u.x, u.y, u.z}) /
-                          plan.volume->contents().slope;
-    return optics::curvatureAlongView(second, glm::dot(tangent, tangent), magnitude);
+    // With the gradient A g in eye space the Hessian there is A H A^T.
+    const glm::dvec3 u = glm::transpose(eyeFromIndex) * tangent;
+    const double second = optics::quadraticForm<double>(field.hessian, {u.x, u.y, u.z});
+    return optics::curvatureAlongView(second, glm::dot(tangent, tangent), std::hypot(g.x, g.y, g.z));
 }
 
 /// Curvature by this normal and the one `probeMm` before; 0 where one of them means nothing.
@@ -72,7 +75,7 @@ SurfaceSample surfaceSample(const RenderPlan& plan, const Ray& ray, double posit
     sample.definedness = optics::normalDefinedness(magnitude, plan.gradientFloor);
     sample.magnitude = magnitude / plan.gradientMax;
     if (anyLayer(plan, readsSecondDerivatives)) {
-        sample.bend = sample.definedness * bendAt(plan, position, normalEye, -ray.directionEye, magnitude);
+        sample.bend = sample.definedness * bendAt(plan, position, -ray.directionEye);
     }
     return sample;
 }
