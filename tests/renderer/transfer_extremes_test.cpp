@@ -11,6 +11,8 @@
 #include <fstream>
 #include <limits>
 
+#include <unistd.h>
+
 // Extremes of data (numerics.md 2f) with every feature of transfer functions on.
 
 namespace limner {
@@ -159,7 +161,8 @@ std::shared_ptr<const Volume> importedWith(float voxel) {
     const float lowest = *std::min_element(values.begin(), values.end());
     const int middle = (dims.z / 2 * dims.y + dims.y / 2) * dims.x + dims.x / 2;
     values[static_cast<std::size_t>(middle)] = std::isnan(voxel) ? voxel : lowest;
-    const auto path = std::filesystem::temp_directory_path() / "limner-transfer-extremes.raw";
+    const auto path =
+        std::filesystem::temp_directory_path() / ("limner-transfer-extremes-" + std::to_string(::getpid()) + ".raw");
     std::ofstream(path, std::ios::binary)
         .write(reinterpret_cast<const char*>(values.data()),
                static_cast<std::streamsize>(values.size() * sizeof(float)));

@@ -11,6 +11,8 @@
 #include <fstream>
 #include <random>
 
+#include <unistd.h>
+
 namespace limner {
 namespace {
 
@@ -18,7 +20,7 @@ namespace fs = std::filesystem;
 
 class LabelTables : public ::testing::Test {
   protected:
-    fs::path folder = fs::path(::testing::TempDir()) / "limner_label_tables";
+    fs::path folder = fs::temp_directory_path() / ("limner-label-tables-" + std::to_string(::getpid()));
 
     void SetUp() override {
         fs::remove_all(folder);
