@@ -56,6 +56,12 @@ std::span<const Field> fieldsOf<ImportanceWeights>();
 template <>
 std::span<const Field> fieldsOf<Lens>();
 template <>
+std::span<const Field> fieldsOf<SilhouetteMeasure>();
+template <>
+std::span<const Field> fieldsOf<LightingMeasure>();
+template <>
+std::span<const Field> fieldsOf<ObjectImportance>();
+template <>
 std::span<const Field> fieldsOf<Importance>();
 template <>
 std::span<const Field> fieldsOf<StippleBoundary>();

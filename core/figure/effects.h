@@ -23,12 +23,43 @@ struct ImportanceWeights {
     friend bool operator==(const ImportanceWeights&, const ImportanceWeights&) = default;
 };
 
+/// Where importance acts. Lengths are shares of the figure's height.
 struct Lens {
     std::string kind = "gaussian"; ///< circular, gaussian, screendoor
     glm::dvec2 center{0.5, 0.5};   ///< figure coordinates
-    double radius = 0.18;          ///< of the figure's height
-    double cell = 0.004;           ///< screendoor
+    double radius = 0.18;
+    double cell = 0.004;          ///< screendoor: edge of one grain of the screen
+    std::string shape = "circle"; ///< circle, ellipse, box (with round corners)
+    double aspect = 1;            ///< ellipse and box: width over height
+    double angleDeg = 0;          ///< ellipse and box: counter-clockwise
+    double soft = 0;              ///< circular: share of the radius over which the edge fades
+    double inside = 1;            ///< factors of the global weight
+    double outside = 0;
+    std::optional<glm::dvec3> anchorMm = {}; ///< a point of the volume that the lens stays on; `center` is not read
     friend bool operator==(const Lens&, const Lens&) = default;
+};
+
+/// Settings of single measures (spec importance-composition.md, "Measures").
+struct SilhouetteMeasure {
+    double exponent = 1.7;    ///< of the gradient
+    glm::dvec2 range{0.4, 1}; ///< edges of the step, in 1 - |n.v|
+    double darkening = 4;     ///< colours on silhouettes are multiplied by exp(-darkening silhouetteness)
+    friend bool operator==(const SilhouetteMeasure&, const SilhouetteMeasure&) = default;
+};
+
+struct LightingMeasure {
+    glm::dvec3 direction{-0.4, 0.6, 0.7}; ///< to the light: right, up, towards the viewer
+    int highlight = 50;                   ///< exponents
+    int diffuse = 5;
+    int gradient = 30;
+    friend bool operator==(const LightingMeasure&, const LightingMeasure&) = default;
+};
+
+/// Importance of the object with a label.
+struct ObjectImportance {
+    int label = 1;
+    double weight = 1;
+    friend bool operator==(const ObjectImportance&, const ObjectImportance&) = default;
 };
 
 struct Importance {
@@ -36,6 +67,12 @@ struct Importance {
     ImportanceWeights weights;
     double background = 0;
     std::vector<Lens> lenses;
+    SilhouetteMeasure silhouette = {};
+    LightingMeasure lighting = {};
+    std::vector<ObjectImportance> objects = {}; ///< labels that are not here weigh nothing
+    double statisticsVoxels = 2;                ///< standard deviation of the neighbourhood's weights
+    double cap = 8;           ///< no sample is more important: e^-8 of opacity is the least that shows through
+    double noiseFloor = 0.02; ///< extinction per voxel below which a sample matters to nobody
     friend bool operator==(const Importance&, const Importance&) = default;
 };
 

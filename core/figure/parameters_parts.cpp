@@ -203,6 +203,88 @@ std::span<const Field> fieldsOf<Lens>() {
                                  .low = 0,
                                  .high = 1,
                                  .lowExcluded = true}),
+        field<&T::shape>("shape", {.label = "Shape",
+                                   .help = "Outline of the lens.",
+                                   .choices = {"circle", "ellipse", "box"},
+                                   .omitDefault = true}),
+        field<&T::aspect>("aspect", {.label = "Aspect",
+                                     .help = "Width over height, of an ellipse or a box.",
+                                     .low = 0.01,
+                                     .high = 100,
+                                     .omitDefault = true}),
+        field<&T::angleDeg>("angle_deg", {.label = "Angle",
+                                          .help = "Turns an ellipse or a box counter-clockwise.",
+                                          .unit = "deg",
+                                          .low = -360,
+                                          .high = 360,
+                                          .omitDefault = true}),
+        field<&T::soft>("soft", {.label = "Softness",
+                                 .help = "Share of the radius over which a hard edge fades.",
+                                 .low = 0,
+                                 .high = 1,
+                                 .omitDefault = true}),
+        field<&T::inside>("inside", {.label = "Inside",
+                                     .help = "Factor of the importance in the middle of the lens.",
+                                     .low = 0,
+                                     .high = 100,
+                                     .omitDefault = true}),
+        field<&T::outside>("outside", {.label = "Outside",
+                                       .help = "Factor of the importance away from the lens.",
+                                       .low = 0,
+                                       .high = 100,
+                                       .omitDefault = true}),
+        field<&T::anchorMm>("anchor_mm", {.label = "Anchor",
+                                          .help = "A point of the scan that the lens follows as the view turns.",
+                                          .unit = "mm",
+                                          .low = -1e6,
+                                          .high = 1e6,
+                                          .omitDefault = true}),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<SilhouetteMeasure>() {
+    using T = SilhouetteMeasure;
+    static const Field fields[] = {
+        field<&T::exponent>(
+            "exponent",
+            {.label = "Exponent", .help = "How much an outline's boundary must stand out.", .low = 0, .high = 100}),
+        field<&T::range>("range", {.label = "Range",
+                                   .help = "From no outline to all of one, by 1 less the cosine of normal and view.",
+                                   .low = 0,
+                                   .high = 1}),
+        field<&T::darkening>(
+            "darkening",
+            {.label = "Darkening", .help = "How dark outlines are drawn; 0: not at all.", .low = 0, .high = 100}),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<LightingMeasure>() {
+    using T = LightingMeasure;
+    static const Field fields[] = {
+        field<&T::direction>(
+            "direction",
+            {.label = "Light", .help = "Direction to the light: right, up, towards the viewer.", .low = -1, .high = 1}),
+        field<&T::highlight>(
+            "highlight", {.label = "Highlight", .help = "Exponent of the highlight's part.", .low = 1, .high = 1000}),
+        field<&T::diffuse>("diffuse",
+                           {.label = "Diffuse", .help = "Exponent of the lit flats' part.", .low = 1, .high = 1000}),
+        field<&T::gradient>(
+            "gradient",
+            {.label = "Gradient", .help = "Exponent of the part without boundary.", .low = 1, .high = 1000}),
+    };
+    return fields;
+}
+
+template <>
+std::span<const Field> fieldsOf<ObjectImportance>() {
+    using T = ObjectImportance;
+    static const Field fields[] = {
+        field<&T::label>("label", {.label = "Label", .help = "Number of the object's label.", .low = 0}),
+        field<&T::weight>("weight", {.label = "Weight", .help = "How much the object matters.", .low = 0, .high = 1e5}),
     };
     return fields;
 }
@@ -222,6 +304,32 @@ std::span<const Field> fieldsOf<Importance>() {
                                      .help = "Places where importance acts; none: everywhere.",
                                      .cost = kPlan,
                                      .atMost = 64}),
+        field<&T::silhouette>("silhouette",
+                              {.label = "Outlines", .help = "What counts as an outline.", .omitDefault = true}),
+        field<&T::lighting>("lighting", {.label = "Light", .help = "What counts as lit.", .omitDefault = true}),
+        field<&T::objects>("objects", {.label = "Objects",
+                                       .help = "Importance of labelled objects.",
+                                       .cost = kPlan,
+                                       .atMost = 255,
+                                       .omitDefault = true}),
+        field<&T::statisticsVoxels>("statistics_voxels", {.label = "Neighbourhood",
+                                                          .help = "How far around a place its statistics are taken.",
+                                                          .cost = kFields,
+                                                          .unit = "voxels",
+                                                          .low = 0.5,
+                                                          .high = 32,
+                                                          .omitDefault = true}),
+        field<&T::cap>("cap", {.label = "Limit",
+                               .help = "Greatest importance: at 8, matter needs an opacity of 0.03 % to show through "
+                                       "all that is in front; at 20 the faintest haze does.",
+                               .low = 0,
+                               .high = 64}),
+        field<&T::noiseFloor>("noise_floor", {.label = "Noise floor",
+                                              .help = "Matter thinner than this never comes forward, so that noise "
+                                                      "stays hidden.",
+                                              .unit = "per voxel",
+                                              .low = 0,
+                                              .high = 1e3}),
     };
     return fields;
 }

@@ -318,7 +318,6 @@ std::vector<std::string> partsNotDrawn(const Figure& figure) {
             addLayerParts(figure.layers[i], "/layers/" + std::to_string(i), lines);
         }
     }
-    kept(figure.importance.has_value(), "/importance", "importance is");
     kept(figure.stipple.has_value(), "/stipple", "stipples are");
     kept(!figure.annotations.empty(), "/annotations", "annotations are");
     kept(figure.quality.tolerance.has_value(), "/quality/tolerance", "the tolerance is");

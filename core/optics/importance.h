@@ -67,6 +67,32 @@ Accumulated<T> composed(const ImportanceState<T>& ray) {
     return {ray.colour.r * a, ray.colour.g * a, ray.colour.b * a, a};
 }
 
+/// The scalars of a ray's state with e^I in one number: for importances from 0 to kGreatestImportance, whose
+/// exponentials float32 holds. (The bounds are what the reference is for.)
+template <typename T>
+struct ExponentialState {
+    T opacity;     ///< a
+    T exponential; ///< e^I
+};
+
+/// `withSample` for the scalars: takes a sample of as > 0 and e^Is into `ray`, gives k, the share of the colour so far
+/// that it leaves.
+template <typename T>
+T keptBehind(ExponentialState<T>& ray, const T& opacity, const T& exponential) {
+    const T share = ray.exponential + opacity * max(T(0), exponential - ray.exponential);
+    const T whole = ray.opacity + (T(1) - ray.opacity) * opacity;
+    const auto claims = ray.opacity * exponential > ray.exponential;
+    const T kept = select(claims, ray.exponential / share, ray.opacity / whole);
+    ray = {whole, share};
+    return kept;
+}
+
+/// What of the ray's colour is left in front of a background of importance Ib: the picture's alpha, min(a, E/Eb).
+template <typename T>
+T shareBeforeBackground(const ImportanceState<T>& ray, const T& background) {
+    return min(ray.opacity, ray.share * exp(min(T(80), ray.reference - background)));
+}
+
 /// I. Where e is small the two parts cancel: an absolute error of an ulp of Iref.
 template <typename T>
 T importanceSoFar(const ImportanceState<T>& ray) {

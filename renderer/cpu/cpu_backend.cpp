@@ -27,6 +27,36 @@ BlockRange blocksOf(const Tile& tile, int subPixels) {
     return range;
 }
 
+/// What a block's rays need for importance-aware composition.
+struct BlockImportance {
+    ImportanceAhead::Table ahead;
+    float weights[KernelBlock::kSize * KernelBlock::kSize];
+
+    /// Leaves a block that importance does not reach as it is: composed the ordinary way.
+    void set(const RenderPlan& plan, const ImportanceAhead& all, KernelBlock& block) {
+        const glm::dvec2 corner(block.x, block.y);
+        const double perPixel = 1.0 / plan.subPixels;
+        const glm::dvec2 low = corner * perPixel;
+        const glm::dvec2 high = (corner + static_cast<double>(KernelBlock::kSize)) * perPixel;
+        const auto& lenses = plan.importance->lenses;
+        const double perFigure = 1.0 / plan.size.y;
+        if (lensesMiss(lenses, low * perFigure, high * perFigure)) {
+            return;
+        }
+        ahead = all.behind(low, high);
+        block.ahead = ahead.data();
+        if (lenses.empty()) {
+            return;
+        }
+        for (int i = 0; i < KernelBlock::kSize * KernelBlock::kSize; ++i) {
+            const glm::dvec2 middle(i % KernelBlock::kSize + 0.5, i / KernelBlock::kSize + 0.5);
+            weights[i] = static_cast<float>(plan.importance->source->global *
+                                            lensFactor(lenses, (corner + middle) * perPixel * perFigure));
+        }
+        block.weights = weights;
+    }
+};
+
 /// Averages a block's sub-pixels into the pixels of the tile that it covers.
 void resolveBlock(const float* block, glm::ivec2 blockCorner, int subPixels, const Tile& tile, Picture& picture) {
     const int pixels = KernelBlock::kSize / subPixels;
@@ -76,7 +106,12 @@ class CpuBackend : public Backend {
             const glm::ivec2 wanted = glm::min(range.end - corner, glm::ivec2(KernelBlock::kSize));
             alignas(64) float rgba[KernelBlock::kSize * KernelBlock::kSize * 4] = {};
             KernelCounts counts;
-            castBlock(built.scene(), {corner.x, corner.y, wanted.x, wanted.y}, rgba, counts);
+            KernelBlock block{corner.x, corner.y, wanted.x, wanted.y};
+            BlockImportance importance;
+            if (built.ahead()) {
+                importance.set(plan, *built.ahead(), block);
+            }
+            castBlock(built.scene(), block, rgba, counts);
             samples += counts.samples;
             shaded += counts.shaded;
             resolveBlock(rgba, corner, plan.subPixels, tile, result.picture);

@@ -70,6 +70,7 @@ struct KernelLayer {
     KernelContours contours;
     float specularStrength = 0;
     float specularExponent = 1;
+    float importanceWeight = 1;
 };
 
 struct KernelAtlas {
@@ -82,6 +83,38 @@ struct KernelAtlas {
 enum class KernelTaps { spline, sobel, neumann };
 
 enum class KernelGradient { central, taps, fourthOrder };
+
+/// Importance-aware composition; weights of measures that are not taken are 0.
+struct KernelImportance {
+    float global = 0; ///< where the block has no weights of its own
+    float intensity = 0;
+    float extinction = 0;
+    float gradient = 0;
+    float silhouette = 0;
+    float unocclusion = 0;
+    float lighting = 0;
+    float object = 0;
+    float statisticsWeight = 0;
+    float background = 0;
+    float cap = 0;
+    float limit = 0;     ///< the cap, and what all importances stay below
+    float layerMost = 0; ///< greatest weight of a layer
+    float noiseFloor = 0;
+    float intensityScale = 1; ///< of table entries
+    float intensityBias = 0;
+    float silhouetteExponent = 1;
+    float silhouetteLow = 0;
+    float silhouetteHigh = 1;
+    float darkening = 0;
+    float actsPerWeight = 1; ///< 1 / the figure's global weight
+    float light[3]{0, 0, 1}; ///< eye space, unit
+    unsigned highlight = 50; ///< exponents of lighting
+    unsigned diffuse = 5;
+    unsigned flat = 30;
+    const float* weightOfSlot = nullptr;      ///< label slot -> weight of the object
+    const std::uint8_t* statistics = nullptr; ///< int16, 0..1, laid out as the voxels
+    float slabFromCell[4]{};                  ///< as ImportanceAhead::slabFromVoxel
+};
 
 struct KernelPlane { ///< keeps dot(normal, q) <= offset
     double normal[3];
@@ -133,6 +166,8 @@ struct KernelScene {
     float depthFromCell[4]{0, 0, 0, 1};   ///< depth over the target's, linear in the position
     const std::uint8_t* labels = nullptr; ///< label slots, uint8, laid out as the voxels
 
+    KernelImportance importance;
+
     float opaque = 1;      ///< a ray ends at this opacity
     float stepRatio = 0.5; ///< step / reference length
     float phase = 0.5;
@@ -158,6 +193,10 @@ struct KernelBlock {
     int y = 0;
     int width = kSize; ///< rays wanted, from the block's corner; the rest is not computed
     int height = kSize;
+    /// Composition by importance; null: the ordinary one. For each slab of depth the greatest importance in it and
+    /// behind it, before global weights (ImportanceAhead::kSlabs of them).
+    const float* ahead = nullptr;
+    const float* weights = nullptr; ///< global weights, kSize * kSize; null: the figure's everywhere
 };
 
 struct KernelCounts {

@@ -81,8 +81,11 @@ class LayerEvaluation {
         if (layer_.shading != Shading::style && layer_.rows == 0) {
             shadePlain(facts, width, PlainEntries(layer_.colours, facts.tableEntry), out);
         } else {
-            const bool single = layer_.singleSlot >= 0 && layer_.textures == nullptr;
-            colour(facts, width, single ? NodeBlend{} : nodesOfLine(TablePlace(facts.tableEntry)), out);
+            NodeBlend nodes;
+            if (layer_.singleSlot < 0 || layer_.textures != nullptr) {
+                nodes = nodesOfLine(TablePlace(facts.tableEntry));
+            }
+            colour(facts, width, nodes, out);
         }
     }
 

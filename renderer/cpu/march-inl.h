@@ -22,24 +22,53 @@ class March {
     static constexpr int kBurst = 4; ///< steps between two looks at the skip grid: 4 to 8 measured best
 
   public:
-    March(const KernelScene& scene, float* rgba) : scene_(scene), field_{scene}, queue_(scene, rgba), rgba_(rgba) {}
+    March(const KernelScene& scene, const KernelBlock& block, float* rgba)
+        : scene_(scene), oneOpacity_(ShadeQueue<VoxelField>::weighsAtOnce(scene, block)), field_{scene},
+          queue_(scene, block, rgba) {}
 
-    HWY_INLINE void run(const RayPacket& ray, Ints pixel) {
-        ray_ = &ray;
-        pixel_ = pixel;
-        alpha_ = splat(0);
-        k_ = hn::Floor(ray.first);
-        end_ = hn::Ceil(ray.end);
-        alive_ = hn::And(ray.hit, hn::Lt(k_, end_));
-        while (!hn::AllFalse(kF, alive_) && skipEmpty()) {
-            const Mask edge =
-                hn::And(alive_, hn::Or(hn::Lt(k_, ray.first), hn::Gt(hn::Add(k_, splat(kBurst)), ray.end)));
-            burst(!hn::AllFalse(kF, edge));
-        }
+    /// A packet on its way.
+    struct Traveller {
+        RayPacket ray;
+        Ints pixel;
+        Floats k, end; ///< next sample and the one past the last
+        Floats alpha;  ///< known here with one opacity only, else it is the picture's
+        Floats alive;  ///< a mask's bits: not every instruction set can keep masks in memory
+    };
+
+    HWY_INLINE void begin(Traveller& packet, const RayPacket& ray, Ints pixel) const {
+        packet.ray = ray;
+        packet.pixel = pixel;
+        packet.alpha = splat(0);
+        packet.k = hn::Floor(ray.first);
+        packet.end = hn::Ceil(ray.end);
+        packet.alive = bitsOf(hn::And(ray.hit, hn::Lt(packet.k, packet.end)));
     }
 
-    /// The packet's opacities; known here with one opacity only, else they are the picture's.
-    [[nodiscard]] HWY_INLINE Floats alpha() const { return alpha_; }
+    /// Marches on up to sample `until`, about. False: the packet has arrived.
+    HWY_INLINE bool advance(Traveller& packet, Floats until) {
+        const RayPacket& ray = packet.ray;
+        ray_ = &ray;
+        pixel_ = packet.pixel;
+        alpha_ = packet.alpha;
+        k_ = packet.k;
+        end_ = packet.end;
+        alive_ = hn::MaskFromVec(packet.alive);
+        bool more = !hn::AllFalse(kF, alive_);
+        while (more && !hn::AllFalse(kF, hn::And(alive_, hn::Lt(k_, until)))) {
+            more = skipEmpty();
+            if (more) {
+                const Mask edge =
+                    hn::And(alive_, hn::Or(hn::Lt(k_, ray.first), hn::Gt(hn::Add(k_, splat(kBurst)), ray.end)));
+                burst(!hn::AllFalse(kF, edge));
+                more = !hn::AllFalse(kF, alive_);
+            }
+        }
+        packet.alpha = alpha_;
+        packet.k = k_;
+        packet.alive = bitsOf(alive_);
+        return more;
+    }
+
     /// Shades what still waits; after the last packet of a block.
     HWY_INLINE void finish() { queue_.finish(); }
     [[nodiscard]] HWY_INLINE KernelCounts counts() const {
@@ -47,6 +76,8 @@ class March {
     }
 
   private:
+    static HWY_INLINE Floats bitsOf(Mask mask) { return hn::VecFromMask(kF, mask); }
+
     HWY_INLINE Vec3 position(Floats s) const {
         const auto clamped = [&](Floats start, Floats step, int axis)
                                  HWY_ATTR { return hn::Min(hn::MulAdd(step, s, start), splat(scene_.lastCell[axis])); };
@@ -154,7 +185,7 @@ class March {
             return;
         }
         counts_.shaded += hn::CountTrue(kF, shows);
-        if (scene_.oneOpacity) {
+        if (oneOpacity_) {
             const Floats opacity = edge ? opacityOfPart(visible, sample.part) : visible;
             const Floats weight = hn::NegMulAdd(opacity, alpha_, opacity);
             alpha_ = hn::Add(alpha_, weight);
@@ -165,20 +196,20 @@ class March {
         }
     }
 
-    /// Ends the rays whose pixels are opaque by now. Samples that went ahead of that are not composed.
+    /// Ends the rays whose pixels are done by now. Samples that went ahead of that are not composed.
     HWY_NOINLINE void endOpaque() {
         const LaneInts pixel(pixel_);
-        LaneFloats alpha;
+        LaneFloats done;
         for (std::size_t lane = 0; lane < hn::Lanes(kF); ++lane) {
-            alpha.at[lane] = rgba_[4 * pixel.at[lane] + 3];
+            done.at[lane] = queue_.done(pixel.at[lane]) ? 1.0F : 0.0F;
         }
-        alive_ = hn::And(alive_, hn::Lt(hn::Load(kF, alpha.at), splat(scene_.opaque)));
+        alive_ = hn::And(alive_, hn::Lt(hn::Load(kF, done.at), splat(1)));
     }
 
     const KernelScene& scene_;
+    bool oneOpacity_;
     VoxelField field_;
     ShadeQueue<VoxelField> queue_;
-    float* rgba_;
     KernelCounts counts_;
     const RayPacket* ray_ = nullptr;
     Ints pixel_{};
@@ -197,43 +228,95 @@ HWY_INLINE PacketShape packetShape() {
     return {width, lanes / width};
 }
 
+/// A block's rays in tiles of kTile x kTile, whose packets march together, kStride samples at a time: what one packet
+/// has brought into the first-level cache the others find there.
 template <typename Voxel, typename Offset>
-void castRays(const KernelScene& scene, const KernelBlock& block, float* rgba, KernelCounts& counts) {
-    const PacketShape shape = packetShape();
-    const RayBlock rays(scene, block);
-    March<Voxel, Offset> march(scene, rgba);
-    alignas(64) float dx[kMaxLanes];
-    alignas(64) float dy[kMaxLanes];
-    alignas(64) std::int32_t pixel[kMaxLanes];
-    alignas(64) float packetAlpha[kMaxLanes];
-    // The queue adds colours late; opacities that are known early wait beside them.
-    alignas(64) float alpha[KernelBlock::kSize * KernelBlock::kSize] = {};
-    const int lanes = shape.width * shape.height;
-    for (int y = 0; y < block.height; y += shape.height) {
-        for (int x = 0; x < block.width; x += shape.width) {
-            for (int lane = 0; lane < lanes; ++lane) {
-                const int column = x + lane % shape.width;
-                const int row = y + lane / shape.width;
-                dx[lane] = static_cast<float>(column) + 0.5F - 0.5F * KernelBlock::kSize;
-                dy[lane] = static_cast<float>(row) + 0.5F - 0.5F * KernelBlock::kSize;
-                pixel[lane] = row * KernelBlock::kSize + column;
+class BlockCaster {
+    using Marching = March<Voxel, Offset>;
+    static constexpr int kTile = 8;
+    static constexpr int kStride = 16;
+    static constexpr int kMostPackets = kTile * kTile; ///< with packets of one ray
+
+  public:
+    BlockCaster(const KernelScene& scene, const KernelBlock& block, float* rgba)
+        : block_(block), rays_(scene, block), march_(scene, block, rgba) {}
+
+    void run() {
+        for (int y = 0; y < block_.height; y += kTile) {
+            for (int x = 0; x < block_.width; x += kTile) {
+                castTile(x, y);
             }
-            const RayPacket packet = rays.packet(hn::Load(kF, dx), hn::Load(kF, dy));
-            if (hn::AllFalse(kF, packet.hit)) {
-                continue; // the picture starts out clear
+        }
+        march_.finish();
+    }
+
+    [[nodiscard]] KernelCounts counts() const { return march_.counts(); }
+    [[nodiscard]] float alpha(int pixel) const { return alpha_[pixel]; }
+
+  private:
+    void castTile(int left, int top) {
+        const PacketShape shape = packetShape();
+        int packets = 0;
+        for (int y = top; y < top + kTile && y < block_.height; y += shape.height) {
+            for (int x = left; x < left + kTile && x < block_.width; x += shape.width) {
+                packets += begin(shape, x, y, packets_[packets]) ? 1 : 0;
             }
-            march.run(packet, hn::Load(kI, pixel));
-            hn::Store(march.alpha(), kF, packetAlpha);
-            for (int lane = 0; lane < lanes; ++lane) {
-                alpha[pixel[lane]] = packetAlpha[lane];
+        }
+        bool more = packets > 0;
+        for (int until = kStride; more; until += kStride) {
+            more = false;
+            for (int i = 0; i < packets; ++i) {
+                more = march_.advance(packets_[i], splat(static_cast<float>(until))) || more;
+            }
+        }
+        alignas(64) std::int32_t pixel[kMaxLanes];
+        alignas(64) float opacity[kMaxLanes];
+        for (int i = 0; i < packets; ++i) {
+            hn::Store(packets_[i].pixel, kI, pixel);
+            hn::Store(packets_[i].alpha, kF, opacity);
+            for (int lane = 0; lane < shape.width * shape.height; ++lane) {
+                alpha_[pixel[lane]] = opacity[lane];
             }
         }
     }
-    march.finish();
-    for (int i = 0; scene.oneOpacity && i < KernelBlock::kSize * KernelBlock::kSize; ++i) {
-        rgba[4 * i + 3] = alpha[i];
+
+    /// False: the rays of this packet miss the volume.
+    bool begin(PacketShape shape, int x, int y, typename Marching::Traveller& packet) {
+        alignas(64) float dx[kMaxLanes];
+        alignas(64) float dy[kMaxLanes];
+        alignas(64) std::int32_t pixel[kMaxLanes];
+        for (int lane = 0; lane < shape.width * shape.height; ++lane) {
+            const int column = x + lane % shape.width;
+            const int row = y + lane / shape.width;
+            dx[lane] = static_cast<float>(column) + 0.5F - 0.5F * KernelBlock::kSize;
+            dy[lane] = static_cast<float>(row) + 0.5F - 0.5F * KernelBlock::kSize;
+            pixel[lane] = row * KernelBlock::kSize + column;
+        }
+        const RayPacket rays = rays_.packet(hn::Load(kF, dx), hn::Load(kF, dy));
+        if (hn::AllFalse(kF, rays.hit)) {
+            return false; // the picture starts out clear
+        }
+        march_.begin(packet, rays, hn::Load(kI, pixel));
+        return true;
     }
-    counts = march.counts();
+
+    const KernelBlock& block_;
+    RayBlock rays_;
+    Marching march_;
+    typename Marching::Traveller packets_[kMostPackets];
+    // The queue adds colours late; opacities that are known early wait beside them.
+    alignas(64) float alpha_[KernelBlock::kSize * KernelBlock::kSize] = {};
+};
+
+template <typename Voxel, typename Offset>
+void castRays(const KernelScene& scene, const KernelBlock& block, float* rgba, KernelCounts& counts) {
+    BlockCaster<Voxel, Offset> caster(scene, block, rgba);
+    caster.run();
+    const bool oneOpacity = ShadeQueue<Field<Voxel, Offset>>::weighsAtOnce(scene, block);
+    for (int i = 0; oneOpacity && i < KernelBlock::kSize * KernelBlock::kSize; ++i) {
+        rgba[4 * i + 3] = caster.alpha(i);
+    }
+    counts = caster.counts();
 }
 
 template <typename Voxel>

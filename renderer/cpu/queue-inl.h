@@ -6,7 +6,10 @@
 #define LIMNER_QUEUE_INL_H
 #endif
 
+#include "renderer/cpu/importance-inl.h"
 #include "renderer/cpu/layer-inl.h"
+
+#include "renderer/plan/importance_bricks.h"
 
 #include <vector>
 
@@ -76,10 +79,17 @@ class ShadeQueue {
 
   public:
     /// `rgba`: the block's pixels.
-    ShadeQueue(const KernelScene& scene, float* rgba) : scene_(scene), field_{scene}, rgba_(rgba) {
-        if (!scene.oneOpacity) {
+    ShadeQueue(const KernelScene& scene, const KernelBlock& block, float* rgba)
+        : scene_(scene), byImportance_(block.ahead != nullptr), ahead_(block.ahead),
+          oneOpacity_(weighsAtOnce(scene, block)), field_{scene}, rgba_(rgba), composer_(scene, block, rgba) {
+        if (!oneOpacity_) {
             layers_.resize(static_cast<std::size_t>(scene.layerCount));
         }
+    }
+
+    /// Whether a sample's weight in its pixel is known before it is shaded.
+    static bool weighsAtOnce(const KernelScene& scene, const KernelBlock& block) {
+        return scene.oneOpacity && block.ahead == nullptr;
     }
 
     struct Entry {
@@ -121,12 +131,20 @@ class ShadeQueue {
         return true;
     }
 
-    /// Shades what is left.
+    /// Shades what is left, and leaves the pixels premultiplied.
     HWY_INLINE void finish() {
         if (count_ > 0) {
             shade(count_);
             count_ = 0;
         }
+        if (byImportance_) {
+            composer_.finish();
+        }
+    }
+
+    /// Whether a pixel takes no more samples; not with one opacity.
+    [[nodiscard]] HWY_INLINE bool done(std::int32_t pixel) const {
+        return byImportance_ ? composer_.done(pixel) : rgba_[4 * pixel + 3] >= scene_.opaque;
     }
 
   private:
@@ -147,10 +165,12 @@ class ShadeQueue {
         if (scene_.perspective) {
             view = {hn::Load(kF, viewX_), hn::Load(kF, viewY_), hn::Load(kF, viewZ_)};
         }
-        Facts<VoxelField> facts{field_, place, members_, q, view, load(tableEntry_), load(weight_)};
+        Facts<VoxelField> facts(field_, place, members_, q, view, load(tableEntry_), load(weight_));
         facts.measure();
-        if (scene_.oneOpacity) {
+        if (oneOpacity_) {
             addWeighted(facts, count);
+        } else if (byImportance_) {
+            composeByImportance(facts, count);
         } else {
             compose(facts, count);
         }
@@ -171,6 +191,7 @@ class ShadeQueue {
     struct Evaluated {
         LaneColours colours;
         LaneFloats opacity;
+        WeighedLanes weighed; ///< by importance only
     };
 
     /// All layers of each sample, one composited after the other; a pixel that is opaque takes no more samples.
@@ -202,6 +223,47 @@ class ShadeQueue {
         }
     }
 
+    /// The same by importance.
+    HWY_NOINLINE void composeByImportance(const Facts<VoxelField>& facts, int count) {
+        const KernelImportance& settings = scene_.importance;
+        const ImportanceMeasures<VoxelField> measures(settings, facts);
+        const Floats weight = composer_.weights(pixel_);
+        for (std::size_t i = 0; i < layers_.size(); ++i) {
+            const KernelLayer& kernelLayer = scene_.layers[i];
+            const LayerEvaluation<VoxelField> layer(scene_, kernelLayer);
+            const Floats opacity = layer.evaluate(facts, layers_[i].colours);
+            layers_[i].opacity = LaneFloats(opacity);
+            composer_.weigh(measures, weight, kernelLayer.importanceWeight, opacity, facts.part, layers_[i].weighed);
+        }
+        LaneFloats dark(splat(1));
+        if (settings.silhouette > 0) {
+            dark = LaneFloats(measures.darkening(hn::Min(hn::Mul(weight, splat(settings.actsPerWeight)), splat(1))));
+        }
+        const LaneInts slab(slabOf(facts.q));
+        for (int lane = 0; lane < count; ++lane) {
+            const std::int32_t pixel = pixel_[lane];
+            if (composer_.done(pixel)) {
+                continue;
+            }
+            for (std::size_t i = 0; i < layers_.size(); ++i) {
+                const Evaluated& layer = layers_[i];
+                if (layer.opacity.at[lane] > 0) {
+                    const Quad colour =
+                        hn::Mul(hn::Load(kQuad, layer.colours.rgba + 4 * lane), hn::Set(kQuad, dark.at[lane]));
+                    composer_.add(pixel, colour, layer.opacity.at[lane], layer.weighed, static_cast<std::size_t>(lane),
+                                  scene_.layers[i].importanceWeight);
+                }
+            }
+            composer_.endWhereCertain(pixel, ahead_[slab.at[lane]]);
+        }
+    }
+
+    HWY_INLINE Ints slabOf(const Vec3& q) const {
+        const float* s = scene_.importance.slabFromCell;
+        const Floats at = hn::Add(dot(q, {splat(s[0]), splat(s[1]), splat(s[2])}), splat(s[3]));
+        return truncate(hn::Min(hn::Max(at, splat(0)), splat(ImportanceAhead::kSlabs - 1)));
+    }
+
     HWY_INLINE void moveUp(int lanes) {
         for (float* row : {x_, y_, z_, tableEntry_, weight_}) {
             hn::Store(hn::LoadU(kF, row + lanes), kF, row);
@@ -218,8 +280,12 @@ class ShadeQueue {
     }
 
     const KernelScene& scene_;
+    bool byImportance_;
+    const float* ahead_;
+    bool oneOpacity_;
     VoxelField field_;
     float* rgba_;
+    ImportanceComposer composer_;
     std::vector<Evaluated> layers_;
     Members members_;
     int count_ = 0;

@@ -1,6 +1,7 @@
 #include "renderer/cpu/scene_builder.h"
 
 #include "core/base/error.h"
+#include "core/optics/measures.h"
 #include "renderer/plan/plan_layer.h"
 
 #include <glm/common.hpp>
@@ -36,6 +37,7 @@ BuiltScene::BuiltScene(const RenderPlan& plan) {
     setRays(plan);
     setClip(plan);
     setTables(plan);
+    setImportance(plan);
     scene_.opaque = static_cast<float>(1 - plan.earlyTermination);
 }
 
@@ -54,6 +56,8 @@ void BuiltScene::setVolume(const RenderPlan& plan) {
     std::size_t largest = std::max(field.bytes(), plan.gradientField->bytes());
     largest = std::max(largest, plan.secondVolume ? plan.secondVolume->bytes() : 0);
     largest = std::max(largest, plan.bendField ? plan.bendField->bytes() : 0);
+    largest =
+        std::max(largest, plan.importance && plan.importance->statistics ? plan.importance->statistics->bytes() : 0);
     for (const PlanLayer& layer : plan.layers) {
         largest = std::max(largest, layer.distance ? layer.distance->bytes() : 0);
     }
@@ -115,10 +119,8 @@ void BuiltScene::setGradients(const RenderPlan& plan) {
     scene_.gradientRounding = static_cast<float>(plan.gradientRounding);
     scene_.gradientFloor = static_cast<float>(plan.gradientFloor / stored);
     scene_.perGradientMax = static_cast<float>(stored / plan.gradientMax);
-    for (const PlanLayer& layer : plan.layers) {
-        scene_.readsNormal = scene_.readsNormal || readsNormal(layer);
-        scene_.readsGradientScale = scene_.readsGradientScale || readsGradientScale(layer);
-    }
+    scene_.readsNormal = readsNormal(plan);
+    scene_.readsGradientScale = readsGradientScale(plan);
 }
 
 void BuiltScene::setBends(const RenderPlan& plan) {
@@ -134,6 +136,60 @@ void BuiltScene::setBends(const RenderPlan& plan) {
             scene_.eyeFromBend[row][column] = static_cast<float>(plan.rays.eyeFromGradient[column][row] / slope);
         }
     }
+}
+
+void BuiltScene::setImportance(const RenderPlan& plan) {
+    if (!plan.importance) {
+        return;
+    }
+    const Importance& settings = *plan.importance->source;
+    const ImportanceWeights& w = settings.weights;
+    KernelImportance& out = scene_.importance;
+    const auto number = [](double v) { return static_cast<float>(v); };
+    out.global = number(settings.global);
+    out.actsPerWeight = number(1 / settings.global);
+    out.intensity = number(w.intensity);
+    out.extinction = number(w.extinction);
+    out.gradient = number(w.gradient);
+    out.silhouette = number(w.silhouette);
+    out.unocclusion = number(w.unocclusion);
+    out.lighting = number(w.lighting);
+    out.object = number(w.object);
+    out.statisticsWeight = number(w.statistics);
+    out.background = number(settings.background);
+    out.cap = number(settings.cap);
+    out.limit = number(std::min(settings.cap, optics::kGreatestImportance));
+    out.noiseFloor = number(settings.noiseFloor);
+    const ValueRange& intensity = plan.importance->intensity;
+    const double span = intensity.high - intensity.low;
+    out.intensityScale = number(span > 0 ? valuePerEntry_ / span : 0);
+    out.intensityBias = number(span > 0 ? (firstValue_ - intensity.low) / span : 0);
+    out.silhouetteExponent = number(settings.silhouette.exponent);
+    out.silhouetteLow = number(settings.silhouette.range.x);
+    out.silhouetteHigh = number(settings.silhouette.range.y);
+    out.darkening = number(settings.silhouette.darkening);
+    out.highlight = static_cast<unsigned>(settings.lighting.highlight);
+    out.diffuse = static_cast<unsigned>(settings.lighting.diffuse);
+    out.flat = static_cast<unsigned>(settings.lighting.gradient);
+    for (int i = 0; i < 3; ++i) {
+        out.light[i] = number(plan.importance->lightEye[i]);
+    }
+    for (const PlanLayer& layer : plan.layers) {
+        out.layerMost = std::max(out.layerMost, number(layer.source->importanceWeight));
+    }
+    if (!plan.importance->weightOfSlot.empty()) {
+        out.weightOfSlot = plan.importance->weightOfSlot.data();
+    }
+    if (plan.importance->statistics) {
+        out.statistics = reinterpret_cast<const std::uint8_t*>(plan.importance->statistics->bricks());
+    }
+    ahead_.emplace(plan);
+    const std::array<double, 4>& slab = ahead_->slabFromVoxel();
+    const glm::dvec3 perCell(slab[0], slab[1], slab[2]);
+    for (int i = 0; i < 3; ++i) {
+        out.slabFromCell[i] = number(perCell[i]);
+    }
+    out.slabFromCell[3] = number(slab[3] - glm::dot(perCell, kCellFromVoxel));
 }
 
 void BuiltScene::setRays(const RenderPlan& plan) {
@@ -337,6 +393,7 @@ void BuiltScene::setTables(const RenderPlan& plan) {
         KernelLayer out;
         addTransfer(plan, layer, out);
         addLook(plan, layer, out);
+        out.importanceWeight = static_cast<float>(layer.source->importanceWeight);
         layers_.push_back(out);
     }
     if (scene_.oneOpacity) {
@@ -362,6 +419,8 @@ void BuiltScene::setValueTable(const RenderPlan& plan, std::vector<float> visibi
     scene_.tableScale = static_cast<float>(contents.slope * perValue / kernelScale(contents.type));
     scene_.tableBias = static_cast<float>((contents.intercept - low) * perValue);
     scene_.lastEntry = static_cast<float>(entries);
+    firstValue_ = low;
+    valuePerEntry_ = high > low ? (high - low) / entries : 0;
     const auto shows = [](float opacity) { return opacity > 0; };
     const auto firstVisible = std::find_if(visibility.begin(), visibility.end(), shows);
     const auto lastVisible = std::find_if(visibility.rbegin(), visibility.rend(), shows);

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "renderer/cpu/kernel_scene.h"
+#include "renderer/plan/importance_bricks.h"
 #include "renderer/plan/render_plan.h"
 
 #include <deque>
+#include <optional>
 #include <vector>
 
 namespace limner {
@@ -16,6 +18,8 @@ class BuiltScene {
     BuiltScene& operator=(const BuiltScene&) = delete;
 
     [[nodiscard]] const KernelScene& scene() const { return scene_; }
+    /// With importance-aware composition only.
+    [[nodiscard]] const std::optional<ImportanceAhead>& ahead() const { return ahead_; }
 
   private:
     void setVolume(const RenderPlan& plan);
@@ -25,6 +29,7 @@ class BuiltScene {
     void setTables(const RenderPlan& plan);
     void setGradients(const RenderPlan& plan);
     void setBends(const RenderPlan& plan);
+    void setImportance(const RenderPlan& plan);
     void setValueTable(const RenderPlan& plan, std::vector<float> visibility);
     /// Range and number of a table's entries along an axis.
     struct AxisEntries {
@@ -41,6 +46,9 @@ class BuiltScene {
 
     KernelScene scene_;
     std::int64_t valueEntries_ = 2; ///< of the table that `KernelScene::visibility` is
+    double firstValue_ = 0;         ///< of that table, in the data's unit
+    double valuePerEntry_ = 0;
+    std::optional<ImportanceAhead> ahead_;
     std::vector<KernelLayer> layers_;
     std::deque<std::vector<float>> tables_; // a deque: addresses stay
     std::deque<std::vector<std::int32_t>> slots_;

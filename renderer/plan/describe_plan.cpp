@@ -63,6 +63,31 @@ void describeTransfers(const RenderPlan& plan, const AddFeature& feature) {
             "the quality asks for it, or the slices are thick", "voxels are joined otherwise");
 }
 
+/// Each measure on its own: one without a weight is not taken.
+void describeImportance(const RenderPlan& plan, const AddFeature& feature) {
+    feature(plan.importance.has_value(), "importance-aware composition", "the figure weighs what matters",
+            plan.figure->importance ? "nothing is weighed" : "the figure has none");
+    if (!plan.importance) {
+        return;
+    }
+    const ImportanceWeights& w = plan.importance->source->weights;
+    const std::pair<double, const char*> measures[] = {
+        {w.intensity, "importance of intensity"},
+        {w.extinction, "importance of extinction"},
+        {w.gradient, "importance of gradients"},
+        {w.silhouette, "importance of silhouettes"},
+        {w.unocclusion, "importance of unocclusion"},
+        {w.lighting, "importance of lighting"},
+        {plan.importance->weightOfSlot.empty() ? 0 : w.object, "importance of objects"},
+        {w.statistics, "importance of local statistics"},
+    };
+    for (const auto& [weight, name] : measures) {
+        feature(weight > 0, name, "it has a weight", "it has no weight");
+    }
+    feature(!plan.importance->lenses.empty(), "focus lenses", "importance acts in places",
+            "importance acts everywhere");
+}
+
 } // namespace
 
 void describePlan(RenderPlan& plan, const PlanRequest& request) {
@@ -76,9 +101,10 @@ void describePlan(RenderPlan& plan, const PlanRequest& request) {
     feature(style && plan.atlas && plan.atlas->directionalOpacity, "directional opacity",
             "a style has transparent directions", "every style is opaque in all directions");
     feature(phong, "Phong shading", "a layer asks for it", "no layer asks for it");
-    feature(anyLayer(plan, readsNormal), gradientName(plan.gradient), "layers need normals",
+    feature(readsNormal(plan), gradientName(plan.gradient), "layers or importance need normals",
             "nothing drawn needs normals");
     describeTransfers(plan, feature);
+    describeImportance(plan, feature);
     feature(plan.layers.size() > 1, "several layers", "more than one layer shows", "one layer at most shows");
     feature(plan.rays.perspective, "perspective", "the camera has it", "the camera is orthographic");
     feature(plan.subPixels > 1, "supersampling", "several rays for each pixel", "one ray for each pixel");
@@ -103,6 +129,7 @@ void describePlan(RenderPlan& plan, const PlanRequest& request) {
     plan.bytes += plan.bendField ? plan.bendField->bytes() : 0;
     plan.bytes += plan.labels ? plan.labels->bytes() : 0;
     plan.bytes += plan.secondVolume ? plan.secondVolume->bytes() : 0;
+    plan.bytes += plan.importance && plan.importance->statistics ? plan.importance->statistics->bytes() : 0;
 }
 
 } // namespace limner

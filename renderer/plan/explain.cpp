@@ -130,11 +130,18 @@ std::vector<std::string> fieldsOf(const RenderPlan& plan) {
             fields.emplace_back(name);
         }
     };
-    add("gradient", readsNormal);
+    if (readsNormal(plan)) {
+        fields.emplace_back("gradient");
+    }
     add("curvature", readsCurvature);
-    add("labels", readsLabels);
+    if (plan.labels) {
+        fields.emplace_back("labels");
+    }
     add("distance", [](const PlanLayer& layer) { return readsAxis(layer, TransferAxis::distance); });
     add("second volume", [](const PlanLayer& layer) { return readsAxis(layer, TransferAxis::second); });
+    if (plan.importance && plan.importance->statistics) {
+        fields.emplace_back("local statistics");
+    }
     return fields;
 }
 

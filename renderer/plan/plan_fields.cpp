@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/volume/gradient_choice.h"
+#include "renderer/plan/plan_importance.h"
 
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
@@ -20,7 +21,8 @@ namespace {
 
 const std::shared_ptr<const Volume>& labelsOf(const RenderPlan& plan) {
     if (!plan.figure->labels || !plan.figure->labels->data) {
-        refuse("/labels", "a layer reads labels and there are none", "give the figure a label volume");
+        refuse("/labels", "a layer or an object's importance reads labels and there are none",
+               "give the figure a label volume");
     }
     return plan.figure->labels->data;
 }
@@ -39,6 +41,11 @@ std::map<int, std::uint8_t> slotsOf(const RenderPlan& plan) {
         std::for_each(layer.table.labels.begin(), layer.table.labels.end(), add);
         if (layer.source->labels) {
             std::for_each(layer.source->labels->begin(), layer.source->labels->end(), add);
+        }
+    }
+    if (plan.importance && weighsObjects(*plan.importance->source)) {
+        for (const ObjectImportance& object : plan.importance->source->objects) {
+            add(object.label);
         }
     }
     return slots;
@@ -66,6 +73,16 @@ std::vector<std::uint8_t> shownSlots(const Layer& layer, const std::map<int, std
         }
     }
     return shown;
+}
+
+std::vector<float> weightOfSlot(const Importance& importance, const std::map<int, std::uint8_t>& slots) {
+    std::vector<float> weights(std::numeric_limits<std::uint8_t>::max() + 1, 0.0F);
+    for (const ObjectImportance& object : importance.objects) {
+        if (const auto slot = slots.find(object.label); slot != slots.end()) {
+            weights[slot->second] = static_cast<float>(object.weight);
+        }
+    }
+    return weights;
 }
 
 std::vector<std::int16_t> rowOfSlot(const TransferTable& table, const std::map<int, std::uint8_t>& slots) {
@@ -157,6 +174,11 @@ void PlanFields::addFields(RenderPlan& plan, Task& task) {
             layer.distance = distanceMap(plan, *layer.source, task);
         }
     }
+    if (plan.importance && plan.importance->source->weights.statistics > 0) {
+        const double sigma = plan.importance->source->statisticsVoxels;
+        plan.importance->statistics =
+            statistics_.get({plan.volume, sigma}, [&] { return gaussianBlurred(*plan.volume, glm::dvec3(sigma), task); });
+    }
     const auto readsSecond = [](const PlanLayer& layer) { return readsAxis(layer, TransferAxis::second); };
     if (std::any_of(plan.layers.begin(), plan.layers.end(), readsSecond)) {
         if (!plan.figure->secondVolume || !plan.figure->secondVolume->data) {
@@ -172,13 +194,17 @@ void PlanFields::addLabels(RenderPlan& plan, Task& task) {
     const auto reads = [](const PlanLayer& layer) {
         return layer.source->labels.has_value() || readsAxis(layer, TransferAxis::label);
     };
-    if (std::none_of(plan.layers.begin(), plan.layers.end(), reads)) {
+    const bool objects = plan.importance && weighsObjects(*plan.importance->source);
+    if (std::none_of(plan.layers.begin(), plan.layers.end(), reads) && !objects) {
         return;
     }
     const VolumePointer& labels = labelsOf(plan);
     const std::map<int, std::uint8_t> slots = slotsOf(plan);
     plan.labels =
         slots_.get({labels, plan.volume, slots}, [&] { return labelSlots(*labels, plan.volume->grid(), slots, task); });
+    if (objects) {
+        plan.importance->weightOfSlot = weightOfSlot(*plan.importance->source, slots);
+    }
     for (PlanLayer& layer : plan.layers) {
         if (layer.source->labels) {
             layer.shownSlots = shownSlots(*layer.source, slots);

@@ -46,8 +46,8 @@ class PlanFields {
     void chooseEstimators(RenderPlan& plan, Task& task);
     /// Ranges of the axes that a layer may use, on the plan's volume. Throws as `addFields` does.
     AxisRanges axisRanges(const RenderPlan& plan, const Layer& layer, Task& task);
-    /// Fills in labels, distances, the second volume and the field that curvature is measured on where layers read
-    /// them. Throws Error(badInput) for what a layer asks for and the figure has not.
+    /// Fills in labels, distances, the second volume, local statistics and the field that curvature is measured on,
+    /// where layers or importance read them. Throws Error(badInput) for what a layer asks for and the figure has not.
     void addFields(RenderPlan& plan, Task& task);
 
   private:
@@ -74,6 +74,7 @@ class PlanFields {
     RecentResults<LabelKey, VolumePointer> slots_;
     RecentResults<DistanceKey, VolumePointer> distances_{4}; ///< layers may each have their own
     RecentResults<std::pair<VolumePointer, VolumePointer>, VolumePointer> second_;
+    RecentResults<std::pair<VolumePointer, double>, VolumePointer> statistics_;
 };
 
 } // namespace limner

@@ -4,7 +4,9 @@
 #include "core/volume/cleanup.h"
 #include "core/volume/gradient_statistics.h"
 #include "renderer/plan/describe_plan.h"
+#include "renderer/plan/importance_bricks.h"
 #include "renderer/plan/plan_fields.h"
+#include "renderer/plan/plan_importance.h"
 #include "renderer/plan/plan_layer.h"
 #include "renderer/plan/ray_frame.h"
 
@@ -144,10 +146,13 @@ void Planner::Cache::addSkipGrid(RenderPlan& plan, const PlanRequest& request) {
     }
     plan.skip =
         skip.get({lowHigh, range.low, range.high, range.visible}, [&] { return computeSkipGrid(*lowHigh, range); });
+    if (plan.importance) {
+        plan.importance->bricks = computeImportanceBricks(plan, *lowHigh);
+    }
 }
 
 void Planner::Cache::measureGradients(RenderPlan& plan) {
-    if (std::any_of(plan.layers.begin(), plan.layers.end(), readsGradientScale)) {
+    if (readsGradientScale(plan)) {
         const GradientStatistics statistics =
             gradients.get(plan.volume, [&] { return computeGradientStatistics(*plan.volume); });
         plan.gradientMax = statistics.p999 > 0 ? statistics.p999 : 1;
@@ -183,6 +188,7 @@ std::shared_ptr<const RenderPlan> Planner::plan(const Figure& figure, const Plan
     cache_->fields.chooseEstimators(*plan, task);
     plan->gradientRounding = gradientRounding(*plan->gradientField);
     addLayers(*plan, request, task);
+    plan->importance = planImportance(*plan);
     task.throwIfCancelled();
     cache_->fields.addFields(*plan, task);
     cache_->addSkipGrid(*plan, request);

@@ -2,6 +2,7 @@
 
 #include "core/figure/figure.h"
 #include "core/style/transfer_function.h"
+#include "renderer/plan/lenses.h"
 #include "renderer/plan/skip_grid.h"
 #include "renderer/plan/style_atlas.h"
 
@@ -97,6 +98,20 @@ bool opacityByValue(const PlanLayer& layer);
 /// Whether the layer's transfer function reads an axis.
 bool readsAxis(const PlanLayer& layer, TransferAxis axis);
 
+/// Upper bounds of what samples can matter, kept for bricks of the volume.
+struct ImportanceBricks;
+
+/// Importance-aware composition (paper 001), ready to draw.
+struct PlanImportance {
+    const Importance* source = nullptr;       ///< in the plan's figure
+    glm::dvec3 lightEye{0, 0, 1};             ///< unit: right, up, towards the viewer
+    ValueRange intensity;                     ///< 0 and 1 of the measure
+    std::vector<float> weightOfSlot;          ///< label slot -> weight of the object; empty: objects are not weighed
+    std::shared_ptr<const Volume> statistics; ///< 0..1 on the volume's grid; null: not weighed
+    std::vector<PlanLens> lenses;
+    std::shared_ptr<const ImportanceBricks> bricks;
+};
+
 /// A part of the renderer that a figure may need.
 struct PlanFeature {
     std::string name;   ///< "style", "phong", "perspective", "contours", ...
@@ -134,12 +149,17 @@ struct RenderPlan {
     Clip clip;
     std::vector<PlanLayer> layers; ///< visible ones with any opacity, in drawing order
     std::shared_ptr<const SkipGrid> skip;
-    std::shared_ptr<const StyleAtlas> atlas; ///< null where no layer draws a lit sphere
+    std::shared_ptr<const StyleAtlas> atlas;  ///< null where no layer draws a lit sphere
+    std::optional<PlanImportance> importance; ///< absent: ordinary composition
 
     std::vector<PlanFeature> featuresUsed;
     std::vector<PlanFeature> featuresLeftOut;
     std::vector<std::string> notDrawn; ///< figure parts that this version keeps but does not draw, one line each
     std::size_t bytes = 0;             ///< held by the plan beyond the volume
 };
+
+/// What a picture's samples are measured for, by any layer or for their importance.
+bool readsNormal(const RenderPlan& plan);
+bool readsGradientScale(const RenderPlan& plan);
 
 } // namespace limner

@@ -303,7 +303,7 @@ SampleFacts sampleFacts(const RenderPlan& plan, const Ray& ray, double positionM
         const glm::dvec3 toPlane = plan.rays.mmFromVoxel * plan.rays.forwardVoxel;
         facts.depth = (plan.rays.eyeFromMm * fromEye).z / (plan.rays.eyeFromMm * toPlane).z;
     }
-    if (anyLayer(plan, readsNormal)) {
+    if (readsNormal(plan)) {
         facts.surface = surfaceSample(plan, ray, positionMm);
     }
     for (const PlanLayer& layer : plan.layers) {

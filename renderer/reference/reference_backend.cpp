@@ -1,6 +1,7 @@
 #include "core/optics/opacity.h"
 #include "renderer/backend.h"
 #include "renderer/reference/field.h"
+#include "renderer/reference/importance.h"
 #include "renderer/reference/layer_optics.h"
 #include "renderer/reference/ray.h"
 
@@ -33,8 +34,10 @@ class Marcher {
         for (int sub = 0; sub < n * n; ++sub) {
             task.throwIfCancelled();
             const glm::dvec2 inside((sub % n + 0.5) / n, (sub / n + 0.5) / n);
-            if (const auto ray = reference::rayThrough(plan_, glm::dvec2(at) + inside)) {
-                const Gathered one = march(*ray, counts);
+            const glm::dvec2 place = glm::dvec2(at) + inside;
+            if (const auto ray = reference::rayThrough(plan_, place)) {
+                const double weight = importanceAt(place);
+                const Gathered one = weight > 0 ? marchByImportance(*ray, weight, counts) : march(*ray, counts);
                 sum = {sum.r + one.r, sum.g + one.g, sum.b + one.b, sum.a + one.a};
             }
         }
@@ -43,6 +46,13 @@ class Marcher {
     }
 
   private:
+    /// Global weight of importance at a place in pixels.
+    [[nodiscard]] double importanceAt(glm::dvec2 place) const {
+        return plan_.importance ? plan_.importance->source->global *
+                                      lensFactor(plan_.importance->lenses, place / static_cast<double>(plan_.size.y))
+                                : 0;
+    }
+
     Gathered march(const reference::Ray& ray, Counts& counts) const {
         Gathered gathered{0, 0, 0, 0};
         const reference::SampleSpan span = reference::samplesOf(ray, plan_.lattice);
@@ -54,6 +64,33 @@ class Marcher {
             }
         }
         return gathered;
+    }
+
+    Gathered marchByImportance(const reference::Ray& ray, double weight, Counts& counts) const {
+        reference::ImportanceRay gathered(plan_, ray, weight);
+        const reference::SampleSpan span = reference::samplesOf(ray, plan_.lattice);
+        for (long k = span.first; k < span.end && 1 - gathered.certain() >= plan_.earlyTermination; ++k) {
+            const reference::Segment segment = reference::segmentOf(ray, plan_.lattice, k);
+            if (segment.lengthMm > 0) {
+                ++counts.samples;
+                addTo(gathered, ray, segment, counts);
+            }
+        }
+        return gathered.result();
+    }
+
+    void addTo(reference::ImportanceRay& gathered, const reference::Ray& ray, const reference::Segment& segment,
+               Counts& counts) const {
+        const double value = reference::valueAt(plan_, ray.positionVoxel(segment.positionMm));
+        if (!mayShow(value)) {
+            return;
+        }
+        ++counts.shaded;
+        const reference::SampleFacts facts = reference::sampleFacts(plan_, ray, segment.positionMm, value);
+        for (const PlanLayer& layer : plan_.layers) {
+            gathered.add(layer, facts, reference::shadeLayer(plan_, layer, facts),
+                         segment.lengthMm / plan_.referenceLengthMm);
+        }
     }
 
     /// All layers at one sample, each composited after the other.

@@ -304,6 +304,75 @@ void addLabelsAndEstimators(Features& features) {
     }
 }
 
+/// By importance, backends may end rays at different depths: each within this of its own picture.
+constexpr double kEndsLate = 1e-5;
+
+/// Matter that lets all that is behind it through to some part, in a style that shows normals.
+void makeVeiled(Figure& figure) {
+    figure.quality.earlyTermination = kEndsLate;
+    only(figure).shading = Shading::style;
+    makeLine(only(figure), "value");
+    figure.importance.emplace();
+    figure.importance->global = 2;
+}
+
+Lens lensOf(const std::string& kind, const std::string& shape) {
+    Lens lens;
+    lens.kind = kind;
+    lens.shape = shape;
+    lens.center = {0.42, 0.55};
+    lens.radius = 0.3;
+    lens.cell = 1.0 / 36;
+    return lens;
+}
+
+void addImportance(Features& features) {
+    const auto add = [&](const std::string& name, auto change) {
+        features.push_back({"importance" + name, [change](Figure& figure) {
+                                makeVeiled(figure);
+                                change(*figure.importance);
+                            }});
+    };
+    add("Intensity", [](Importance& i) { i.weights.intensity = 3; });
+    add("Extinction", [](Importance& i) { i.weights.extinction = 2; });
+    add("Gradient", [](Importance& i) { i.weights.gradient = 2; });
+    add("Silhouette", [](Importance& i) { i.weights.silhouette = 3; });
+    add("Unocclusion", [](Importance& i) {
+        i.weights.unocclusion = 0.1;
+        i.weights.intensity = 1;
+    });
+    add("Lighting", [](Importance& i) { i.weights.lighting = 1; });
+    add("Object", [](Importance& i) {
+        i.weights.object = 1;
+        i.objects = {{3, 1.5}, {7, 0.7}};
+    });
+    add("Statistics", [](Importance& i) { i.weights.statistics = 4; });
+    const auto several = [](Importance& i) {
+        i.weights.intensity = 1;
+        i.weights.extinction = 0.5;
+        i.weights.gradient = 1;
+        i.weights.silhouette = 1;
+    };
+    add("Background", [several](Importance& i) {
+        several(i);
+        i.background = 1.2;
+    });
+    add("WithoutFloor", [several](Importance& i) {
+        several(i);
+        i.noiseFloor = 0;
+        i.cap = 20;
+    });
+    for (const auto& [kind, shape] :
+         {std::pair("circular", "circle"), std::pair("gaussian", "ellipse"), std::pair("screendoor", "box")}) {
+        add(std::string("Lens") + kind, [several, kind = kind, shape = shape](Importance& i) {
+            several(i);
+            i.lenses = {lensOf(kind, shape)};
+            i.lenses.front().aspect = 1.4;
+            i.lenses.front().angleDeg = 25;
+        });
+    }
+}
+
 } // namespace
 
 const std::vector<TransferFeature>& transferFeatures() {
@@ -313,6 +382,7 @@ const std::vector<TransferFeature>& transferFeatures() {
         addShapes(all);
         addLooks(all);
         addLabelsAndEstimators(all);
+        addImportance(all);
         return all;
     }();
     return features;
@@ -403,6 +473,23 @@ Layer anyLayer(Dice& dice) {
     return layer;
 }
 
+void anyImportance(Dice& dice, Importance& importance) {
+    importance.global = dice.between(0.5, 4);
+    importance.objects = {{3, dice.unit()}, {7, 1}};
+    double* const weights[] = {&importance.weights.intensity,   &importance.weights.extinction,
+                               &importance.weights.gradient,    &importance.weights.silhouette,
+                               &importance.weights.unocclusion, &importance.weights.lighting,
+                               &importance.weights.object,      &importance.weights.statistics};
+    for (double* weight : weights) {
+        *weight = dice.oneIn(3) ? dice.between(0.2, 1.5) : 0;
+    }
+    importance.background = dice.oneIn(3) ? dice.between(0, 3) : 0;
+    if (dice.oneIn(2)) {
+        importance.lenses.push_back(
+            lensOf(dice.any({"circular", "gaussian", "screendoor"}), dice.any({"circle", "ellipse", "box"})));
+    }
+}
+
 void anyClip(Dice& dice, Clip& clip) {
     if (dice.oneIn(3)) {
         clip.planes.push_back({{dice.between(-1, 1), dice.between(-1, 1), 0.5}, dice.between(-2, 4)});
@@ -465,6 +552,10 @@ Figure randomFigure(unsigned seed) {
     figure.layers.clear();
     for (int k = 0; k < 1 + static_cast<int>(seed % 3); ++k) {
         figure.layers.push_back(anyLayer(dice));
+    }
+    if (seed % 4 == 3) {
+        figure.quality.earlyTermination = kEndsLate;
+        anyImportance(dice, figure.importance.emplace());
     }
     return figure;
 }

@@ -68,8 +68,11 @@ TEST(Description, CoversEveryMember) {
     EXPECT_ALL_DESCRIBED(DepthOfField, a, b);
     EXPECT_ALL_DESCRIBED(Layer, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q);
     EXPECT_ALL_DESCRIBED(ImportanceWeights, a, b, c, d, e, f, g, h);
-    EXPECT_ALL_DESCRIBED(Lens, a, b, c, d);
-    EXPECT_ALL_DESCRIBED(Importance, a, b, c, d);
+    EXPECT_ALL_DESCRIBED(Lens, a, b, c, d, e, f, g, h, i, j, k);
+    EXPECT_ALL_DESCRIBED(SilhouetteMeasure, a, b, c);
+    EXPECT_ALL_DESCRIBED(LightingMeasure, a, b, c, d);
+    EXPECT_ALL_DESCRIBED(ObjectImportance, a, b);
+    EXPECT_ALL_DESCRIBED(Importance, a, b, c, d, e, f, g, h, i, j);
     EXPECT_ALL_DESCRIBED(StippleBoundary, a, b, c);
     EXPECT_ALL_DESCRIBED(StippleSilhouette, a, b, c);
     EXPECT_ALL_DESCRIBED(StippleResolution, a);

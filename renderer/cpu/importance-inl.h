@@ -1,0 +1,227 @@
+// How important samples are, and composition by it (paper 001); compiled once for every instruction set.
+#if defined(LIMNER_IMPORTANCE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef LIMNER_IMPORTANCE_INL_H
+#undef LIMNER_IMPORTANCE_INL_H
+#else
+#define LIMNER_IMPORTANCE_INL_H
+#endif
+
+#include "renderer/cpu/facts-inl.h" // names the target: before the formulas
+#include "renderer/cpu/style-inl.h"
+
+#include "core/optics/importance.h"
+#include "core/optics/measures.h"
+
+#include <cmath>
+
+HWY_BEFORE_NAMESPACE();
+namespace limner::HWY_NAMESPACE {
+
+/// The measures that all layers of a sample share; only those with a weight are taken.
+template <typename Field>
+class ImportanceMeasures {
+  public:
+    ImportanceMeasures(const KernelImportance& settings, const Facts<Field>& facts) : settings_(settings) {
+        Floats sum = splat(0);
+        const auto add = [&](float weight, const auto& measure) HWY_ATTR {
+            if (weight > 0) {
+                sum = hn::MulAdd(splat(weight), measure(), sum);
+            }
+        };
+        add(settings.intensity, [&]() HWY_ATTR {
+            const Floats value =
+                hn::MulAdd(facts.tableEntry, splat(settings.intensityScale), splat(settings.intensityBias));
+            return optics::intensityImportance(Lanes{value}).v;
+        });
+        add(settings.gradient, [&]() HWY_ATTR { return facts.unitMagnitude; });
+        add(settings.silhouette, [&]() HWY_ATTR {
+            silhouetteness_ = silhouettenessOf(facts);
+            return silhouetteness_;
+        });
+        add(settings.lighting, [&]() HWY_ATTR { return lightingOf(facts); });
+        if (settings.weightOfSlot != nullptr) {
+            sum = hn::Add(sum, objectsOf(facts));
+        }
+        if (settings.statistics != nullptr) {
+            sum = hn::MulAdd(splat(settings.statisticsWeight), facts.other(settings.statistics), sum);
+        }
+        shared_ = sum;
+    }
+
+    /// Weighted sum for a layer, but unocclusion.
+    HWY_INLINE Floats sum(Floats extinction) const {
+        return settings_.extinction > 0
+                   ? hn::MulAdd(splat(settings_.extinction), optics::extinctionImportance(Lanes{extinction}).v, shared_)
+                   : shared_;
+    }
+
+    /// What colours are multiplied by, so that outlines show; `acts`: how much importance acts there, 0..1.
+    HWY_INLINE Floats darkening(Floats acts) const {
+        return exp(Lanes{hn::Mul(hn::Mul(splat(-settings_.darkening), acts), silhouetteness_)}).v;
+    }
+
+  private:
+    HWY_NOINLINE Floats silhouettenessOf(const Facts<Field>& facts) const {
+        const optics::SilhouetteTerms<Lanes> terms = {Lanes{splat(settings_.silhouetteExponent)},
+                                                      Lanes{splat(settings_.silhouetteLow)},
+                                                      Lanes{splat(settings_.silhouetteHigh)}};
+        return optics::silhouetteness(Lanes{facts.unitMagnitude}, Lanes{hn::Abs(facts.normal.facing)}, terms).v;
+    }
+
+    HWY_NOINLINE Floats lightingOf(const Facts<Field>& facts) const {
+        const auto vector = [](const Vec3& v) HWY_ATTR {
+            return optics::Vector3<Lanes>{Lanes{v.x}, Lanes{v.y}, Lanes{v.z}};
+        };
+        const Vec3 light = {splat(settings_.light[0]), splat(settings_.light[1]), splat(settings_.light[2])};
+        const optics::Vector3<Lanes> half = optics::halfwayDirection(vector(light), vector(facts.view));
+        const Vec3& n = facts.normal.eye;
+        const auto turnedToViewer = [&](Floats cosine) HWY_ATTR { // two-sided
+            return Lanes{hn::IfThenElse(hn::Lt(facts.normal.facing, splat(0)), hn::Neg(cosine), cosine)};
+        };
+        return optics::lightingImportance(turnedToViewer(dot(n, {half.x.v, half.y.v, half.z.v})),
+                                          turnedToViewer(dot(n, light)), Lanes{facts.unitMagnitude},
+                                          {settings_.highlight, settings_.diffuse, settings_.flat})
+            .v;
+    }
+
+    HWY_NOINLINE Floats objectsOf(const Facts<Field>& facts) const {
+        LaneFloats sum(splat(0));
+        for (int k = 0; k < facts.members.most; ++k) {
+            for (std::size_t lane = 0; lane < hn::Lanes(kF); ++lane) {
+                sum.at[lane] += settings_.weightOfSlot[facts.members.slot[k][lane]] * facts.members.weight[k][lane];
+            }
+        }
+        return hn::Mul(hn::Load(kF, sum.at), splat(settings_.object));
+    }
+
+    const KernelImportance& settings_;
+    Floats shared_{};
+    Floats silhouetteness_{};
+};
+
+/// What the samples of a vector bring to composition by importance, for one layer.
+struct WeighedLanes {
+    LaneFloats exponential; ///< e^Is; with unocclusion: the sum of the other measures, weighted by the global weight
+    LaneFloats gate;        ///< unocclusion only: factor of the importance of what can hardly be seen
+    LaneFloats depth;       ///< unocclusion only: optical depth of the sample
+};
+
+/// The pixels of a block on their way.
+struct WeighedPixels {
+    static constexpr int kCount = KernelBlock::kSize * KernelBlock::kSize;
+    float exponential[kCount]; ///< e^I
+    float depth[kCount];       ///< optical
+    bool done[kCount];         ///< nothing that follows can change them
+
+    void begin() {
+        std::fill(exponential, exponential + kCount, 1.0F);
+        std::fill(depth, depth + kCount, 0.0F);
+        std::fill(done, done + kCount, false);
+    }
+};
+
+/// Composes samples of known importance into the pixels of a block, whose colours are not multiplied by their opacity
+/// on the way.
+class ImportanceComposer {
+  public:
+    ImportanceComposer(const KernelScene& scene, const KernelBlock& block, float* rgba)
+        : settings_(scene.importance), block_(block), opaque_(scene.opaque), stepRatio_(scene.stepRatio), rgba_(rgba) {
+        if (block.ahead != nullptr) {
+            pixels_.begin();
+        }
+    }
+
+    [[nodiscard]] bool done(std::int32_t pixel) const { return pixels_.done[pixel]; }
+
+    /// Global weights of the pixels that the lanes belong to.
+    HWY_INLINE Floats weights(const std::int32_t* pixel) const {
+        return block_.weights == nullptr ? splat(settings_.global)
+                                         : hn::GatherIndex(kF, block_.weights, hn::Load(kI, pixel));
+    }
+
+    /// `opacity`: of the samples, which are `part` of a step.
+    template <typename Field>
+    HWY_INLINE void weigh(const ImportanceMeasures<Field>& measures, Floats weight, float ofLayer, Floats opacity,
+                          Floats part, WeighedLanes& out) const {
+        const Floats depth = optics::opticalDepth(Lanes{opacity}).v;
+        const Floats extinction = hn::Div(depth, hn::Mul(splat(stepRatio_), hn::Max(part, splat(1e-6F))));
+        const Lanes gate =
+            optics::importanceOfVisible(Lanes{splat(1)}, Lanes{extinction}, Lanes{splat(settings_.noiseFloor)});
+        const Lanes factor{hn::Mul(weight, splat(ofLayer))};
+        const Lanes sum{measures.sum(extinction)};
+        if (settings_.unocclusion > 0) {
+            out.exponential = LaneFloats(hn::Mul(factor.v, sum.v));
+            out.gate = LaneFloats(gate.v);
+            out.depth = LaneFloats(hn::Min(depth, splat(1e6F)));
+            return;
+        }
+        const Floats total = hn::Min(optics::totalImportance(factor, sum).v, splat(settings_.cap));
+        out.exponential = LaneFloats(exp(Lanes{hn::Mul(total, gate.v)}).v);
+    }
+
+    /// One layer of one lane's sample behind what its pixel has.
+    HWY_INLINE void add(std::int32_t pixel, Quad colour, float opacity, const WeighedLanes& weighed, std::size_t lane,
+                        float ofLayer) {
+        float* rgba = rgba_ + 4 * pixel;
+        float exponential = weighed.exponential.at[lane];
+        if (settings_.unocclusion > 0) {
+            const float weight = block_.weights == nullptr ? settings_.global : block_.weights[pixel];
+            const float open = optics::unocclusionImportance(pixels_.depth[pixel]) * settings_.unocclusion;
+            const float total = std::min(exponential + weight * ofLayer * open, settings_.limit);
+            exponential = std::exp(total * weighed.gate.at[lane]);
+            pixels_.depth[pixel] += weighed.depth.at[lane];
+        }
+        optics::ExponentialState<float> state = {rgba[3], pixels_.exponential[pixel]};
+        const float kept = optics::keptBehind(state, opacity, exponential);
+        const Quad before = hn::Load(kQuad, rgba);
+        hn::Store(hn::MulAdd(hn::Sub(before, colour), hn::Set(kQuad, kept), colour), kQuad, rgba);
+        rgba[3] = state.opacity;
+        pixels_.exponential[pixel] = state.exponential;
+    }
+
+    /// Ends a pixel where no more than the picture's tolerance can change behind a sample; `ahead`: greatest sum of
+    /// measures there, but unocclusion.
+    HWY_INLINE void endWhereCertain(std::int32_t pixel, float ahead) {
+        const float opacity = rgba_[4 * pixel + 3];
+        if (opacity < opaque_) {
+            return; // the bound is below the opacity
+        }
+        const float weight = block_.weights == nullptr ? settings_.global : block_.weights[pixel];
+        float open = 0;
+        if (settings_.unocclusion > 0) {
+            open = settings_.unocclusion * optics::unocclusionImportance(pixels_.depth[pixel]) * settings_.layerMost;
+        }
+        const float most = std::max(std::min(weight * (ahead + open), settings_.limit), backgroundOf(weight));
+        pixels_.done[pixel] = opacity * std::min(1.0F, pixels_.exponential[pixel] * std::exp(-most)) >= opaque_;
+    }
+
+    /// Makes the pixels premultiplied, the background's importance counted.
+    void finish() {
+        for (int i = 0; i < WeighedPixels::kCount; ++i) {
+            float* rgba = rgba_ + std::ptrdiff_t{4} * i;
+            const float background = backgroundOf(block_.weights == nullptr ? settings_.global : block_.weights[i]);
+            const float alpha = std::min(rgba[3], pixels_.exponential[i] * std::exp(-background));
+            for (int c = 0; c < 3; ++c) {
+                rgba[c] *= alpha;
+            }
+            rgba[3] = alpha;
+        }
+    }
+
+  private:
+    [[nodiscard]] float backgroundOf(float weight) const {
+        return std::min(weight * settings_.background, static_cast<float>(optics::kGreatestImportance));
+    }
+
+    const KernelImportance& settings_;
+    const KernelBlock& block_;
+    float opaque_;
+    float stepRatio_;
+    float* rgba_;
+    WeighedPixels pixels_;
+};
+
+} // namespace limner::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,57 @@
+#include "renderer/plan/plan_importance.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+
+namespace limner {
+
+namespace {
+
+bool weighsAnything(const Importance& importance) {
+    const ImportanceWeights& w = importance.weights;
+    const bool measured = w.intensity > 0 || w.extinction > 0 || readsNormal(importance) || w.unocclusion > 0 ||
+                          weighsObjects(importance) || w.statistics > 0;
+    return importance.global > 0 && ((measured && importance.cap > 0) || importance.background > 0);
+}
+
+} // namespace
+
+bool readsNormal(const Importance& importance) {
+    const ImportanceWeights& w = importance.weights;
+    return w.gradient > 0 || w.silhouette > 0 || w.lighting > 0;
+}
+
+bool weighsObjects(const Importance& importance) {
+    return importance.weights.object > 0 && std::any_of(importance.objects.begin(), importance.objects.end(),
+                                                        [](const auto& o) { return o.weight > 0; });
+}
+
+std::optional<PlanImportance> planImportance(const RenderPlan& plan) {
+    const auto& figures = plan.figure->importance;
+    if (!figures || !weighsAnything(*figures)) {
+        return std::nullopt;
+    }
+    PlanImportance importance;
+    importance.source = &*figures;
+    const glm::dvec3 light = figures->lighting.direction;
+    importance.lightEye = glm::length(light) > 0 ? glm::normalize(light) : glm::dvec3(0, 0, 1);
+    importance.intensity = plan.volume->range();
+    for (const Lens& lens : figures->lenses) {
+        importance.lenses.push_back(placeLens(lens, plan));
+    }
+    return importance;
+}
+
+bool readsNormal(const RenderPlan& plan) {
+    return std::any_of(plan.layers.begin(), plan.layers.end(), [](const auto& layer) { return readsNormal(layer); }) ||
+           (plan.importance && readsNormal(*plan.importance->source));
+}
+
+bool readsGradientScale(const RenderPlan& plan) {
+    return std::any_of(plan.layers.begin(), plan.layers.end(),
+                       [](const auto& layer) { return readsGradientScale(layer); }) ||
+           (plan.importance && readsNormal(*plan.importance->source));
+}
+
+} // namespace limner

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "renderer/plan/render_plan.h"
+
+#include <optional>
+
+namespace limner {
+
+/// The importance of a plan's figure, but for the fields it reads and the bricks' bounds; nothing where every sample
+/// and the background would matter equally, so that composition is the ordinary one. The plan has its figure, volume
+/// and rays.
+std::optional<PlanImportance> planImportance(const RenderPlan& plan);
+
+/// Whether the samples' importance is measured on gradients.
+bool readsNormal(const Importance& importance);
+/// Whether labelled objects matter.
+bool weighsObjects(const Importance& importance);
+
+} // namespace limner

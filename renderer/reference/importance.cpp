@@ -1,0 +1,95 @@
+#include "renderer/reference/importance.h"
+
+#include "core/optics/measures.h"
+#include "renderer/reference/field.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace limner::reference {
+
+ImportanceRay::ImportanceRay(const RenderPlan& plan, const Ray& ray, double weight)
+    : plan_(plan), ray_(ray), settings_(*plan.importance->source), weight_(weight) {}
+
+double ImportanceRay::silhouettenessOf(const SampleFacts& facts) const {
+    const SilhouetteMeasure& terms = settings_.silhouette;
+    return optics::silhouetteness<double>(facts.surface.magnitude, std::abs(facts.surface.normalRay.z),
+                                          {terms.exponent, terms.range.x, terms.range.y});
+}
+
+double ImportanceRay::lightingOf(const SampleFacts& facts) const {
+    const glm::dvec3 view = -ray_.directionEye;
+    const glm::dvec3 out = plan_.rays.eyeFromMm * facts.surface.normalMm;
+    const glm::dvec3 normal = glm::dot(out, view) < 0 ? -out : out; // two-sided
+    const glm::dvec3& light = plan_.importance->lightEye;
+    const auto half = optics::halfwayDirection<double>({light.x, light.y, light.z}, {view.x, view.y, view.z});
+    const LightingMeasure& terms = settings_.lighting;
+    return optics::lightingImportance<double>(
+        glm::dot(normal, glm::dvec3(half.x, half.y, half.z)), glm::dot(normal, light), facts.surface.magnitude,
+        {static_cast<unsigned>(terms.highlight), static_cast<unsigned>(terms.diffuse),
+         static_cast<unsigned>(terms.gradient)});
+}
+
+double ImportanceRay::importanceOf(const PlanLayer& layer, const SampleFacts& facts, double extinction) const {
+    const PlanImportance& plan = *plan_.importance;
+    const ImportanceWeights& w = settings_.weights;
+    double sum = 0;
+    const auto add = [&](double weight, const auto& measure) {
+        if (weight > 0) {
+            sum += weight * measure();
+        }
+    };
+    add(w.intensity, [&] {
+        const double span = plan.intensity.high - plan.intensity.low;
+        return span > 0 ? optics::intensityImportance((facts.value - plan.intensity.low) / span) : 0;
+    });
+    add(w.extinction, [&] { return optics::extinctionImportance(extinction); });
+    add(w.gradient, [&] { return optics::gradientImportance(facts.surface.magnitude); });
+    add(w.silhouette, [&] { return silhouettenessOf(facts); });
+    add(w.unocclusion, [&] { return optics::unocclusionImportance(depth_); });
+    add(w.lighting, [&] { return lightingOf(facts); });
+    if (!plan.weightOfSlot.empty()) {
+        for (const auto& [slot, share] : facts.membership) {
+            sum += w.object * share * plan.weightOfSlot[static_cast<std::size_t>(slot)];
+        }
+    }
+    if (plan.statistics) {
+        sum += w.statistics * trilinearAt(*plan.statistics, facts.positionVoxel);
+    }
+    const double total = optics::totalImportance(weight_ * layer.source->importanceWeight, sum);
+    return optics::importanceOfVisible(std::min(total, settings_.cap), extinction, settings_.noiseFloor);
+}
+
+void ImportanceRay::add(const PlanLayer& layer, const SampleFacts& facts, const LayerSample& sample,
+                        double lengthRatio) {
+    const double opacity = optics::opacityOfLength(sample.opacity, lengthRatio);
+    if (!(opacity > 0)) {
+        return;
+    }
+    const double importance = importanceOf(layer, facts, optics::opticalDepth(sample.opacity));
+    optics::Colour<double> colour = sample.colour;
+    if (settings_.weights.silhouette > 0) {
+        // As much as importance acts here: where a lens fades, so do its lines.
+        const double acts = std::min(weight_ / settings_.global, 1.0);
+        const double dark = std::exp(-settings_.silhouette.darkening * acts * silhouettenessOf(facts));
+        colour = {colour.r * dark, colour.g * dark, colour.b * dark};
+    }
+    state_ = optics::withSample(state_, colour, opacity, importance);
+    depth_ += optics::opticalDepth(opacity);
+}
+
+double ImportanceRay::certain() const {
+    const double background = std::min(weight_ * settings_.background, optics::kGreatestImportance);
+    return optics::certainShare(state_, std::max(std::min(settings_.cap, optics::kGreatestImportance), background));
+}
+
+optics::Accumulated<double> ImportanceRay::result() const {
+    const double background = std::min(weight_ * settings_.background, optics::kGreatestImportance);
+    const double alpha = optics::shareBeforeBackground(state_, background);
+    return {state_.colour.r * alpha, state_.colour.g * alpha, state_.colour.b * alpha, alpha};
+}
+
+} // namespace limner::reference

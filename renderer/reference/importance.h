@@ -1,0 +1,38 @@
+#pragma once
+
+#include "core/optics/importance.h"
+#include "renderer/reference/layer_optics.h"
+
+namespace limner::reference {
+
+/// One ray's importance-aware composition in double (paper 001; core/optics/importance.h).
+class ImportanceRay {
+  public:
+    /// `weight`: the global one at the ray's pixel, above 0.
+    ImportanceRay(const RenderPlan& plan, const Ray& ray, double weight);
+
+    /// Composes one layer at one sample; `lengthRatio`: of the sample's length to the reference length.
+    void add(const PlanLayer& layer, const SampleFacts& facts, const LayerSample& sample, double lengthRatio);
+
+    /// Share of the picture's colour that nothing behind can change.
+    [[nodiscard]] double certain() const;
+
+    /// Premultiplied, the background's importance counted.
+    [[nodiscard]] optics::Accumulated<double> result() const;
+
+    /// Of one layer at one sample, in [0, kGreatestImportance].
+    [[nodiscard]] double importanceOf(const PlanLayer& layer, const SampleFacts& facts, double extinction) const;
+
+  private:
+    [[nodiscard]] double silhouettenessOf(const SampleFacts& facts) const;
+    [[nodiscard]] double lightingOf(const SampleFacts& facts) const;
+
+    const RenderPlan& plan_;
+    const Ray& ray_;
+    const Importance& settings_;
+    double weight_;
+    optics::ImportanceState<double> state_ = optics::startOfRay<double>();
+    double depth_ = 0; ///< optical
+};
+
+} // namespace limner::reference

@@ -1,0 +1,198 @@
+#include "core/optics/importance.h"
+#include "renderer/plan/importance_bricks.h"
+#include "support/rendering.h"
+#include "support/transfer_scenes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+// Composition by importance as both backends draw it. (The formulas alone: tests/core/optics; features and random
+// figures of one backend against the other: transfer_agreement_test.cpp.)
+
+namespace limner {
+namespace {
+
+using testing::planOf;
+using testing::renderWhole;
+
+/// Scene A5 (spec accuracy.md 1.5): along the ray a slab of opacity a0 in red, of no importance; a gap; a slab of
+/// optical depth tau in green, of importance D.
+struct ImportancePair {
+    double a0, importance, depth;
+
+    [[nodiscard]] accuracy::AnalyticScene scene(int stepsPerSlab) const {
+        constexpr int kVoxels = 41; // 40 cells along x: 16 of each slab, 8 of the gap
+        Grid grid;
+        grid.dims = {kVoxels, 2, 2};
+        grid.spacingMm = glm::dvec3(1);
+        const auto volume = accuracy::sampleField(grid, [](const glm::dvec3& mm) { return mm.x; });
+        Camera camera = accuracy::viewAlongZ(grid.centreMm(), 0.5);
+        camera.direction = {1, 0, 0};
+        accuracy::AnalyticScene scene{"A5", accuracy::plainFigure(volume, camera), {}};
+        scene.request.size = {1, 1};
+        scene.request.lattice = SampleLattice{16.0 / stepsPerSlab, 0.5, 0.5};
+        Transfer& transfer = scene.figure.layers.front().transfer;
+        transfer.nodes = {{0, "", glm::dvec3(1, 0, 0)},
+                          {19, "", glm::dvec3(1, 0, 0)},
+                          {21, "", glm::dvec3(0, 1, 0)},
+                          {40, "", glm::dvec3(0, 1, 0)}};
+        const double front = a0 < 1 ? -std::expm1(std::log1p(-a0) / 16) : 1;
+        const double back = -std::expm1(-depth / 16);
+        transfer.opacity = {{0, front}, {16, front}, {16, 0}, {24, 0}, {24, back}, {40, back}};
+        Importance& settings = scene.figure.importance.emplace();
+        settings.cap = 64;
+        settings.noiseFloor = 0;
+        settings.weights.object = 1;
+        settings.objects = {{1, importance}};
+        const auto labels = accuracy::sampleField(grid, [](const glm::dvec3& mm) { return mm.x > 20 ? 1 : 0; });
+        scene.figure.labels.emplace();
+        scene.figure.labels->data = labels;
+        return scene;
+    }
+
+    /// Weights of red and green, and the opacity.
+    [[nodiscard]] glm::dvec3 expected() const {
+        const double r0 = std::exp(-importance);
+        const double b0 = std::min(a0, r0);
+        const double b = 1 - (1 - b0) * std::exp(-depth);
+        const double a = 1 - (1 - a0) * std::exp(-depth);
+        return {a * b0 / b, a * (b - b0) / b, a};
+    }
+};
+
+class ImportanceOnBackends : public testing::BackendTest {};
+LIMNER_ON_EVERY_BACKEND(ImportanceOnBackends);
+
+TEST_P(ImportanceOnBackends, PairOfSlabs) {
+    const ImportancePair rows[] = {{.99, 2, .5},           {.99, 20, .5}, {.99, 20, 1e-7}, {.99, 20, std::exp(-20.0)},
+                                   {1, std::log(1000), 1}, {.5, .3, 2},   {.99, 0, 1}};
+    for (const ImportancePair& row : rows) {
+        for (const int steps : {1, 8, 16, 64}) { // the same whatever the step
+            const Picture picture = renderWhole(backend(), row.scene(steps));
+            const glm::dvec3 expected = row.expected();
+            // float32 holds the opacity of a 64th of 2e-9 to 1e-7 of itself, but 1 - a0 of its front to 1e-5 only
+            const double allowed = rounding(1e-9, 2e-5);
+            EXPECT_NEAR(picture.pixel(0, 0)[0], expected.x, allowed) << row.importance << " steps " << steps;
+            EXPECT_NEAR(picture.pixel(0, 0)[1], expected.y, allowed) << row.importance << " steps " << steps;
+            EXPECT_NEAR(picture.pixel(0, 0)[3], expected.z, allowed) << row.importance << " steps " << steps;
+        }
+    }
+}
+
+/// The figure of a feature of the shared list.
+Figure weighed(const std::string& name) {
+    testing::SmoothScene scene;
+    scene.type = VoxelType::int16;
+    Figure figure = testing::smoothFigure(scene);
+    const auto& all = testing::transferFeatures();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });
+    found->apply(figure);
+    return figure;
+}
+
+Picture drawn(const Backend& backend, const Figure& figure) {
+    PlanRequest request;
+    request.size = {48, 48};
+    return renderWhole(backend, *planOf(figure, request));
+}
+
+TEST_P(ImportanceOnBackends, OfNoWeightIsTheOrdinaryPicture) {
+    const Figure with = weighed("importanceBackground");
+    Figure without = with;
+    without.importance.reset();
+    const Picture ordinary = drawn(backend(), without);
+    EXPECT_GT(testing::largestDifference(drawn(backend(), with), ordinary), 0.05) << "importance does nothing here";
+    Figure none = with;
+    none.importance->global = 0;
+    EXPECT_TRUE(testing::sameBits(drawn(backend(), none), ordinary));
+    none = with;
+    none.importance->weights = {};
+    none.importance->background = 0;
+    EXPECT_TRUE(testing::sameBits(drawn(backend(), none), ordinary));
+    none = with;
+    none.importance->lenses.emplace_back().center = {9, 9};
+    EXPECT_TRUE(testing::sameBits(drawn(backend(), none), ordinary)) << "a lens beside the picture";
+}
+
+TEST_P(ImportanceOnBackends, LeavesTheOpacityOrdinary) {
+    Figure figure = weighed("importanceWithoutFloor");
+    figure.quality.earlyTermination = 0;
+    const Picture with = drawn(backend(), figure);
+    figure.importance.reset();
+    const Picture without = drawn(backend(), figure);
+    for (std::size_t i = 3; i < with.rgba().size(); i += 4) {
+        ASSERT_NEAR(with.rgba()[i], without.rgba()[i], 2e-6);
+    }
+}
+
+TEST_P(ImportanceOnBackends, BackgroundOfGreatImportanceFadesTheRest) {
+    Figure figure = weighed("importanceIntensity");
+    double before = 1e9;
+    for (const double background : {0.0, 1.0, 2.0, 5.0, 30.0}) {
+        figure.importance->background = background;
+        const Picture picture = drawn(backend(), figure);
+        double alpha = 0;
+        for (std::size_t i = 3; i < picture.rgba().size(); i += 4) {
+            alpha += picture.rgba()[i];
+        }
+        EXPECT_LE(alpha, before + 1e-4) << background;
+        before = alpha;
+    }
+    EXPECT_LT(before, 1) << "nothing is left in front of a paper of importance 60";
+}
+
+TEST_P(ImportanceOnBackends, ExtremesStaySound) {
+    for (const double weight : {1e-6, 1.0, 1e3, 1e5}) {
+        for (const double cap : {0.0, 8.0, 64.0}) {
+            Figure figure = weighed("importanceWithoutFloor");
+            figure.importance->global = weight;
+            figure.importance->cap = cap;
+            figure.importance->background = weight;
+            figure.importance->weights.unocclusion = weight;
+            figure.importance->silhouette.range = {0.5, 0.5};
+            figure.layers.front().transfer.opacity.back().y = 1;
+            EXPECT_EQ(testing::unsoundPixels(drawn(backend(), figure)), 0) << weight << " capped at " << cap;
+        }
+    }
+}
+
+TEST(ImportanceEnd, KeepsTheToleranceAndSavesSamples) {
+    const auto backend = makeCpuBackend();
+    for (const char* name : {"importanceIntensity", "importanceExtinction", "importanceUnocclusion", "importanceObject",
+                             "importanceStatistics", "importanceBackground"}) {
+        Figure figure = weighed(name);
+        figure.layers.front().transfer.opacity.back().y = 0.9;
+        figure.importance->global = 1;
+        PlanRequest request;
+        request.size = {48, 48};
+        Task task;
+        figure.quality.earlyTermination = 0;
+        const auto whole = backend->render(*planOf(figure, request), {{0, 0}, request.size}, task);
+        figure.quality.earlyTermination = 0.01;
+        const auto ended = backend->render(*planOf(figure, request), {{0, 0}, request.size}, task);
+        EXPECT_LE(testing::largestDifference(whole.picture, ended.picture), 0.01 + 1e-5) << name;
+        EXPECT_LT(ended.samples, whole.samples * 9 / 10) << name;
+    }
+}
+
+TEST(ImportanceBricksOfPlans, BoundWhatTheReferenceMeasures) {
+    const auto plan = [](const char* name) {
+        PlanRequest request;
+        request.size = {48, 48};
+        return planOf(weighed(name), request);
+    };
+    const auto bricks = [](const RenderPlan& p) { return p.importance->bricks->greatest; };
+    const auto all = plan("importanceWithoutFloor");
+    const auto greatest = bricks(*all);
+    // intensity 1, extinction 0.5 ln(1 + tau), gradient 1, silhouette 1
+    EXPECT_GT(*std::max_element(greatest.begin(), greatest.end()), 2.5F);
+    EXPECT_LT(*std::max_element(greatest.begin(), greatest.end()), 3.0F + 0.5F * std::log1p(1e6F));
+    const ImportanceAhead ahead(*all);
+    const auto table = ahead.behind({0, 0}, {48, 48});
+    EXPECT_TRUE(std::is_sorted(table.rbegin(), table.rend())) << "what lies behind gets less";
+    EXPECT_EQ(ahead.behind({-500, -500}, {-400, -400}).front(), 0) << "nothing is seen there";
+}
+
+} // namespace
+} // namespace limner
