@@ -2,6 +2,7 @@
 
 #include "app/cli/console.h"
 #include "app/cli/facts.h"
+#include "app/cli/visibility_report.h"
 #include "core/figure/quantity.h"
 #include "renderer/backend_choice.h"
 #include "renderer/export/thread_limit.h"
@@ -22,6 +23,7 @@ using Facts = nlohmann::ordered_json;
 constexpr const char* kExamples = R"(Examples:
   limner explain skull.limner
   limner explain head.nii.gz --preset skull --size 4096x4096 --json
+  limner explain skull.limner --visibility --set /importance/weights/gradient=2
 )";
 
 Facts names(const std::vector<PlanFeature>& features) {
@@ -107,6 +109,9 @@ void ExplainCommand::declare(CLI::App& app) {
     figure_.declareSize(app);
     app.add_option("--backend", backend_, "What renders: auto, cpu or reference (slow, double precision) [auto]")
         ->option_text("NAME");
+    app.add_flag("--visibility", visibility_,
+                 "How much of the picture each layer, label and range of values makes, now and\n"
+                 "at other global weights of importance");
     figure_.declareMachine(app);
 }
 
@@ -122,11 +127,16 @@ int ExplainCommand::run(Console& console) {
         console.task().warn(line);
     }
     Facts facts = explanationFacts(explanation);
+    std::string text = explanationText(explanation);
+    if (visibility_) {
+        facts["visibility"] = visibilityFacts(document.figure, console.task());
+        text += visibilityText(facts["visibility"]);
+    }
     facts["warnings"] = console.task().warnings();
     if (console.json) {
         printFacts(console, facts);
     } else {
-        console.print(explanationText(explanation));
+        console.print(text);
     }
     return 0;
 }

@@ -16,6 +16,7 @@ class ExplainCommand : public Command {
   private:
     FigureOptions figure_;
     std::string backend_ = "auto";
+    bool visibility_ = false;
 };
 
 } // namespace limner::cli

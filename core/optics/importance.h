@@ -33,11 +33,18 @@ ImportanceState<T> startOfRay() {
     return {{T(0), T(0), T(0)}, T(0), T(1), T(0)};
 }
 
-/// The ray after one more sample. A sample without opacity (or whose opacity is no number) changes nothing. All values
-/// are convex combinations: nothing overflows, nothing divides 0 by 0.
+/// What a sample makes of a ray's state but its colour, and k.
 template <typename T>
-ImportanceState<T> withSample(const ImportanceState<T>& ray, const Colour<T>& colour, const T& opacity,
-                              const T& importance) {
+struct ImportanceStep {
+    T kept;
+    T opacity;
+    T share;
+    T reference;
+};
+
+/// A sample without opacity (or whose opacity is no number) changes nothing: k is 1.
+template <typename T>
+ImportanceStep<T> stepOfSample(const ImportanceState<T>& ray, const T& opacity, const T& importance) {
     const auto visible = opacity > T(0);
     const T alpha = select(visible, min(T(1), opacity), T(0));
     const auto rises = importance > ray.reference;
@@ -49,15 +56,24 @@ ImportanceState<T> withSample(const ImportanceState<T>& ray, const Colour<T>& co
     const auto claims = ray.opacity * sample > before;
     const T base = select(claims, share, whole);
     const auto divides = base > T(0);
-    const T keep = select(claims, before, ray.opacity) / select(divides, base, T(1));
-    ImportanceState<T> next;
-    next.colour = {select(visible, mixed(colour.r, ray.colour.r, keep), ray.colour.r),
-                   select(visible, mixed(colour.g, ray.colour.g, keep), ray.colour.g),
-                   select(visible, mixed(colour.b, ray.colour.b, keep), ray.colour.b)};
-    next.opacity = whole;
-    next.share = select(visible, share, ray.share);
-    next.reference = select(visible, max(ray.reference, importance), ray.reference);
-    return next;
+    const T kept = select(claims, before, ray.opacity) / select(divides, base, T(1));
+    return {select(visible, kept, T(1)), whole, select(visible, share, ray.share),
+            select(visible, max(ray.reference, importance), ray.reference)};
+}
+
+/// The ray after one more sample. All values are convex combinations: nothing overflows, nothing divides 0 by 0.
+template <typename T>
+ImportanceState<T> withSample(const ImportanceState<T>& ray, const Colour<T>& colour, const T& opacity,
+                              const T& importance) {
+    const ImportanceStep<T> step = stepOfSample(ray, opacity, importance);
+    const auto visible = opacity > T(0);
+    const auto behind = [&](const T& here, const T& before) {
+        return select(visible, mixed(here, before, step.kept), before); // the colour of what is not seen may be any
+    };
+    return {{behind(colour.r, ray.colour.r), behind(colour.g, ray.colour.g), behind(colour.b, ray.colour.b)},
+            step.opacity,
+            step.share,
+            step.reference};
 }
 
 /// Premultiplied colour and opacity.

@@ -63,11 +63,11 @@ double ImportanceRay::importanceOf(const PlanLayer& layer, const SampleFacts& fa
     return optics::importanceOfVisible(std::min(total, settings_.cap), extinction, settings_.noiseFloor);
 }
 
-void ImportanceRay::add(const PlanLayer& layer, const SampleFacts& facts, const LayerSample& sample,
-                        double lengthRatio) {
+double ImportanceRay::add(const PlanLayer& layer, const SampleFacts& facts, const LayerSample& sample,
+                          double lengthRatio) {
     const double opacity = optics::opacityOfLength(sample.opacity, lengthRatio);
     if (!(opacity > 0)) {
-        return;
+        return 1;
     }
     const double importance = importanceOf(layer, facts, optics::opticalDepth(sample.opacity));
     optics::Colour<double> colour = sample.colour;
@@ -77,8 +77,10 @@ void ImportanceRay::add(const PlanLayer& layer, const SampleFacts& facts, const 
         const double dark = std::exp(-settings_.silhouette.darkening * acts * silhouettenessOf(facts));
         colour = {colour.r * dark, colour.g * dark, colour.b * dark};
     }
+    const double kept = optics::stepOfSample(state_, opacity, importance).kept;
     state_ = optics::withSample(state_, colour, opacity, importance);
     depth_ += optics::opticalDepth(opacity);
+    return kept;
 }
 
 double ImportanceRay::certain() const {
