@@ -98,7 +98,7 @@ T keptBehind(ExponentialState<T>& ray, const T& opacity, const T& exponential) {
     const T share = ray.exponential + opacity * max(T(0), exponential - ray.exponential);
     const T whole = ray.opacity + (T(1) - ray.opacity) * opacity;
     const auto claims = ray.opacity * exponential > ray.exponential;
-    const T kept = select(claims, ray.exponential / share, ray.opacity / whole);
+    const T kept = select(claims, ray.exponential, ray.opacity) / select(claims, share, whole);
     ray = {whole, share};
     return kept;
 }

@@ -150,13 +150,13 @@ class ImportanceComposer {
         const Lanes factor{hn::Mul(weight, splat(ofLayer))};
         const Lanes sum{measures.sum(extinction)};
         if (settings_.unocclusion > 0) {
-            out.exponential = LaneFloats(hn::Mul(factor.v, sum.v));
-            out.gate = LaneFloats(gate.v);
-            out.depth = LaneFloats(hn::Min(depth, splat(1e6F)));
+            hn::Store(hn::Mul(factor.v, sum.v), kF, out.exponential.at);
+            hn::Store(gate.v, kF, out.gate.at);
+            hn::Store(hn::Min(depth, splat(1e6F)), kF, out.depth.at);
             return;
         }
         const Floats total = hn::Min(optics::totalImportance(factor, sum).v, splat(settings_.cap));
-        out.exponential = LaneFloats(exp(Lanes{hn::Mul(total, gate.v)}).v);
+        hn::Store(exp(Lanes{hn::Mul(total, gate.v)}).v, kF, out.exponential.at);
     }
 
     /// One layer of one lane's sample behind what its pixel has.
@@ -173,26 +173,34 @@ class ImportanceComposer {
         }
         optics::ExponentialState<float> state = {rgba[3], pixels_.exponential[pixel]};
         const float kept = optics::keptBehind(state, opacity, exponential);
-        const Quad before = hn::Load(kQuad, rgba);
-        hn::Store(hn::MulAdd(hn::Sub(before, colour), hn::Set(kQuad, kept), colour), kQuad, rgba);
-        rgba[3] = state.opacity;
+        const Quad mixed = hn::MulAdd(hn::Sub(hn::Load(kQuad, rgba), colour), hn::Set(kQuad, kept), colour);
+        // In one store: the pixel's next sample would wait for two of different lengths.
+        hn::Store(hn::IfThenElse(alphaLane(), hn::Set(kQuad, state.opacity), mixed), kQuad, rgba);
         pixels_.exponential[pixel] = state.exponential;
     }
 
+    /// e^-Emax: what can still come behind a sample; `ahead`: greatest sum of measures there, but unocclusion.
+    HWY_INLINE Floats shareAhead(Floats weight, Floats ahead) const {
+        const Floats background = hn::Mul(weight, splat(settings_.background));
+        const Floats most = hn::Min(hn::Mul(weight, ahead), splat(settings_.limit));
+        const Floats greatest = hn::Min(hn::Max(most, background), splat(kMost));
+        return exp(Lanes{hn::Neg(greatest)}).v;
+    }
+
     /// Ends a pixel where no more than the picture's tolerance can change behind a sample; `ahead`: greatest sum of
-    /// measures there, but unocclusion.
-    HWY_INLINE void endWhereCertain(std::int32_t pixel, float ahead) {
+    /// measures there, but unocclusion, and `share` what `shareAhead` makes of it.
+    HWY_INLINE void endWhereCertain(std::int32_t pixel, float ahead, float share) {
         const float opacity = rgba_[4 * pixel + 3];
         if (opacity < opaque_) {
             return; // the bound is below the opacity
         }
-        const float weight = block_.weights == nullptr ? settings_.global : block_.weights[pixel];
-        float open = 0;
         if (settings_.unocclusion > 0) {
-            open = settings_.unocclusion * optics::unocclusionImportance(pixels_.depth[pixel]) * settings_.layerMost;
+            const float weight = block_.weights == nullptr ? settings_.global : block_.weights[pixel];
+            const float open =
+                settings_.unocclusion * optics::unocclusionImportance(pixels_.depth[pixel]) * settings_.layerMost;
+            share = std::exp(-std::max(std::min(weight * (ahead + open), settings_.limit), backgroundOf(weight)));
         }
-        const float most = std::max(std::min(weight * (ahead + open), settings_.limit), backgroundOf(weight));
-        pixels_.done[pixel] = opacity * std::min(1.0F, pixels_.exponential[pixel] * std::exp(-most)) >= opaque_;
+        pixels_.done[pixel] = opacity * std::min(1.0F, pixels_.exponential[pixel] * share) >= opaque_;
     }
 
     /// Makes the pixels premultiplied, the background's importance counted.
@@ -209,9 +217,9 @@ class ImportanceComposer {
     }
 
   private:
-    [[nodiscard]] float backgroundOf(float weight) const {
-        return std::min(weight * settings_.background, static_cast<float>(optics::kGreatestImportance));
-    }
+    static constexpr auto kMost = static_cast<float>(optics::kGreatestImportance);
+
+    [[nodiscard]] float backgroundOf(float weight) const { return std::min(weight * settings_.background, kMost); }
 
     const KernelImportance& settings_;
     const KernelBlock& block_;

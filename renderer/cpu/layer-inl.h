@@ -27,7 +27,8 @@ HWY_NOINLINE inline Floats opacityOfLength(Floats opacity, Floats ratio) {
 
 /// Of a part of a step; a whole step bit for bit, whoever else is in the vector.
 HWY_INLINE Floats opacityOfPart(Floats opacity, Floats part) {
-    return hn::IfThenElse(hn::Ge(part, splat(1)), opacity, opacityOfLength(opacity, part));
+    const Mask whole = hn::Ge(part, splat(1));
+    return hn::AllTrue(kF, whole) ? opacity : hn::IfThenElse(whole, opacity, opacityOfLength(opacity, part));
 }
 
 /// x^n for x in [0, 1], n > 0; whole exponents by repeated squaring, others by exp and log.

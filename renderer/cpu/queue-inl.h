@@ -198,10 +198,8 @@ class ShadeQueue {
     HWY_NOINLINE void compose(const Facts<VoxelField>& facts, int count) {
         for (std::size_t i = 0; i < layers_.size(); ++i) {
             const LayerEvaluation<VoxelField> layer(scene_, scene_.layers[i]);
-            layers_[i].opacity = LaneFloats(layer.evaluate(facts, layers_[i].colours));
+            hn::Store(layer.evaluate(facts, layers_[i].colours), kF, layers_[i].opacity.at);
         }
-        alignas(16) static constexpr std::uint32_t kAlphaBits[4] = {0, 0, 0, 0xFFFFFFFFU};
-        const auto alphaLane = hn::MaskFromVec(hn::Load(kQuad, reinterpret_cast<const float*>(kAlphaBits)));
         for (int lane = 0; lane < count; ++lane) {
             float* pixel = rgba_ + 4 * pixel_[lane];
             if (pixel[3] >= scene_.opaque) {
@@ -213,8 +211,8 @@ class ShadeQueue {
                 const float opacity = layer.opacity.at[lane];
                 if (opacity > 0) {
                     const float weight = (1 - alpha) * opacity;
-                    const Quad c =
-                        hn::IfThenElse(alphaLane, hn::Set(kQuad, 1.0F), hn::Load(kQuad, layer.colours.rgba + 4 * lane));
+                    const Quad c = hn::IfThenElse(alphaLane(), hn::Set(kQuad, 1.0F),
+                                                  hn::Load(kQuad, layer.colours.rgba + 4 * lane));
                     sum = hn::MulAdd(hn::Set(kQuad, weight), c, sum);
                     alpha += weight;
                 }
@@ -232,14 +230,16 @@ class ShadeQueue {
             const KernelLayer& kernelLayer = scene_.layers[i];
             const LayerEvaluation<VoxelField> layer(scene_, kernelLayer);
             const Floats opacity = layer.evaluate(facts, layers_[i].colours);
-            layers_[i].opacity = LaneFloats(opacity);
+            hn::Store(opacity, kF, layers_[i].opacity.at);
             composer_.weigh(measures, weight, kernelLayer.importanceWeight, opacity, facts.part, layers_[i].weighed);
         }
         LaneFloats dark(splat(1));
         if (settings.silhouette > 0) {
-            dark = LaneFloats(measures.darkening(hn::Min(hn::Mul(weight, splat(settings.actsPerWeight)), splat(1))));
+            hn::Store(measures.darkening(hn::Min(hn::Mul(weight, splat(settings.actsPerWeight)), splat(1))), kF,
+                      dark.at);
         }
-        const LaneInts slab(slabOf(facts.q));
+        const LaneFloats ahead(hn::GatherIndex(kF, ahead_, slabOf(facts.q)));
+        const LaneFloats share(composer_.shareAhead(weight, hn::Load(kF, ahead.at)));
         for (int lane = 0; lane < count; ++lane) {
             const std::int32_t pixel = pixel_[lane];
             if (composer_.done(pixel)) {
@@ -254,7 +254,7 @@ class ShadeQueue {
                                   scene_.layers[i].importanceWeight);
                 }
             }
-            composer_.endWhereCertain(pixel, ahead_[slab.at[lane]]);
+            composer_.endWhereCertain(pixel, ahead.at[lane], share.at[lane]);
         }
     }
 

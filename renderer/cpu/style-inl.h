@@ -23,6 +23,12 @@ constexpr hn::Simd<float, 4, 0> kQuad;
 constexpr hn::Simd<std::int32_t, 4, 0> kQuadInts;
 constexpr hn::Simd<std::int16_t, 8, 0> kQuadPairs;
 
+/// The alpha of an RGBA.
+HWY_INLINE auto alphaLane() {
+    alignas(16) static constexpr std::uint32_t kBits[4] = {0, 0, 0, 0xFFFFFFFFU};
+    return hn::MaskFromVec(hn::Load(kQuad, reinterpret_cast<const float*>(kBits)));
+}
+
 struct LaneInts {
     alignas(64) std::int32_t at[kMaxLanes];
     LaneInts() = default;

@@ -247,6 +247,30 @@ void drawInTurn(std::vector<Subject>& subjects, const Backend& backend, int roun
     }
 }
 
+void FrameTable::add(const std::string& name, const Figure& figure) {
+    Task task;
+    PlanRequest request;
+    request.size = {512, 512};
+    Planner planner;
+    subjects_.emplace_back();
+    subjects_.back().name = name;
+    subjects_.back().plan = planner.plan(figure, request, task);
+}
+
+void FrameTable::run() {
+    drawInTurn(subjects_, *makeCpuBackend(), rounds_);
+    std::cout << "\n" << title_ << "\n\n";
+    printRow({"figure", "median ms (min-max)", "processor ms", "frames: first / this, by processor time", "M samples",
+              "M shaded"});
+    printRow({"---", "---", "---", "---", "---", "---"});
+    for (const Subject& subject : subjects_) {
+        printRow({subject.name, subject.times.spread(), number(subject.times.cpuMedian(), 1),
+                  number(subjects_.front().times.cpuMedian() / subject.times.cpuMedian(), 3),
+                  number(static_cast<double>(subject.last.samples) * 1e-6, 1),
+                  number(static_cast<double>(subject.last.shaded) * 1e-6, 1)});
+    }
+}
+
 std::vector<std::uint8_t> rgb8OverBlack(const Picture& picture) {
     std::vector<std::uint8_t> bytes;
     bytes.reserve(picture.rgba().size() / 4 * 3);

@@ -100,6 +100,19 @@ void drawOnce(Subject& subject, const Backend& backend);
 /// Draws the subjects in turn, `rounds` times each after a first picture.
 void drawInTurn(std::vector<Subject>& subjects, const Backend& backend, int rounds);
 
+/// Figures at 512^2 beside the first of them, printed as a table of frame times.
+class FrameTable {
+  public:
+    FrameTable(std::string title, int rounds) : title_(std::move(title)), rounds_(rounds) {}
+    void add(const std::string& name, const Figure& figure);
+    void run();
+
+  private:
+    std::string title_;
+    int rounds_;
+    std::vector<Subject> subjects_;
+};
+
 /// 8-bit RGB over black, top row first.
 std::vector<std::uint8_t> rgb8OverBlack(const Picture& picture);
 /// Root of the mean squared difference over all components, of 1.

@@ -64,49 +64,18 @@ Figure withUnusedParts(Figure figure) {
     return figure;
 }
 
-class Table {
-  public:
-    Table(std::string title, int rounds) : title_(std::move(title)), rounds_(rounds) {}
-    void add(const std::string& name, const Figure& figure) {
-        Task task;
-        PlanRequest request;
-        request.size = {512, 512};
-        Planner planner;
-        subjects_.emplace_back();
-        subjects_.back().name = name;
-        subjects_.back().plan = planner.plan(figure, request, task);
-    }
-    void run() {
-        drawInTurn(subjects_, *makeCpuBackend(), rounds_);
-        std::cout << "\n" << title_ << "\n\n";
-        printRow(
-            {"figure", "median ms (min-max)", "processor ms", "frames: first / this, by processor time", "M shaded"});
-        printRow({"---", "---", "---", "---", "---"});
-        for (const Subject& subject : subjects_) {
-            printRow({subject.name, subject.times.spread(), number(subject.times.cpuMedian(), 1),
-                      number(subjects_.front().times.cpuMedian() / subject.times.cpuMedian(), 3),
-                      number(static_cast<double>(subject.last.shaded) * 1e-6, 1)});
-        }
-    }
-
-  private:
-    std::string title_;
-    int rounds_;
-    std::vector<Subject> subjects_;
-};
-
 int runAll(int argc, char** argv) {
     const int rounds = std::stoi(option(argc, argv, "rounds", "7"));
     const Scene scene = phantomScene(256);
     std::cout << "built-in head, 256^3, 512^2, step 0.5 voxel; " << machineFacts() << "; " << rounds
               << " pictures of each in turn\n";
     for (const Setting& setting : settings()) {
-        Table table(std::string("Opacity: ") + setting.name, rounds);
+        FrameTable table(std::string("Opacity: ") + setting.name, rounds);
         const Figure styled = figureOf(scene, Shading::style, setting);
         table.add("regular transfer function, Phong", figureOf(scene, Shading::phong, setting));
         table.add("style transfer function", styled);
         table.run();
-        Table parts(std::string("Parts, opacity: ") + setting.name, rounds);
+        FrameTable parts(std::string("Parts, opacity: ") + setting.name, rounds);
         parts.add("style transfer function", styled);
         parts.add("two dimensions", inTwoDimensions(styled));
         parts.add("contours and transparency", withContours(styled));
