@@ -150,13 +150,13 @@ class ImportanceComposer {
         const Lanes factor{hn::Mul(weight, splat(ofLayer))};
         const Lanes sum{measures.sum(extinction)};
         if (settings_.unocclusion > 0) {
-            hn::Store(hn::Mul(factor.v, sum.v), kF, out.exponential.at);
-            hn::Store(gate.v, kF, out.gate.at);
-            hn::Store(hn::Min(depth, splat(1e6F)), kF, out.depth.at);
+            out.exponential = hn::Mul(factor.v, sum.v);
+            out.gate = gate.v;
+            out.depth = hn::Min(depth, splat(1e6F));
             return;
         }
         const Floats total = hn::Min(optics::totalImportance(factor, sum).v, splat(settings_.cap));
-        hn::Store(exp(Lanes{hn::Mul(total, gate.v)}).v, kF, out.exponential.at);
+        out.exponential = exp(Lanes{hn::Mul(total, gate.v)}).v;
     }
 
     /// One layer of one lane's sample behind what its pixel has.

@@ -67,6 +67,7 @@ struct KernelLayer {
     std::int32_t singleSlot = -1;             ///< >= 0: all nodes have this style, `index` is not read
     const std::int16_t* rowOfSlot = nullptr;  ///< label axis: label slot -> row, -1: none
     const std::uint8_t* shownSlots = nullptr; ///< label slot -> 1 where it shows
+    bool curvedLevels = false;                ///< mip levels go by the curvature too
     KernelContours contours;
     float specularStrength = 0;
     float specularExponent = 1;
@@ -77,6 +78,11 @@ struct KernelAtlas {
     const std::int16_t* texels = nullptr; ///< as StyleAtlas
     const float* mean = nullptr;          ///< four floats per slot
     std::int32_t size = 0;
+    const std::int32_t* levelStart = nullptr; ///< as StyleAtlas; null: there is one level
+    std::int32_t lastLevel = 0;
+    float radiusTexels = 1;    ///< PlanMipLevels
+    float footprintVoxels = 1; ///< PlanMipLevels
+    float voxelMm = 1;         ///< PlanMipLevels
 };
 
 /// Weights that a value or gradient gives the four voxels of each axis.

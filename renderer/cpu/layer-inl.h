@@ -12,6 +12,7 @@
 #include "renderer/cpu/texture-inl.h"
 
 #include "core/optics/contour.h"
+#include "core/optics/mip.h"
 #include "core/optics/shading.h"
 #include "core/optics/transparency.h"
 
@@ -265,14 +266,14 @@ class LayerEvaluation {
             shadePlain(facts, width, plain, out);
             return;
         }
-        const SpherePlace place = diskPlace(facts, width);
+        const SphereQuery query = sphereQuery(facts, width);
         if (layer_.singleSlot >= 0) {
             NodeBlend slot;
             slot.node[0] = splatInt(layer_.singleSlot);
             slot.weight[0] = splat(1);
-            sphereColours(scene_.atlas, place, slot, facts.trusted, out);
+            sphereColours(scene_.atlas, query, slot, out);
         } else {
-            sphereColours(scene_.atlas, place, slotsOf(layer_.slotOfNode, nodes), facts.trusted, out);
+            sphereColours(scene_.atlas, query, slotsOf(layer_.slotOfNode, nodes), out);
         }
         if (layer_.textures != nullptr) {
             layTextures(TexturePlace(scene_, facts.q, facts.normal.eye, facts.trusted), layer_.textures, nodes, out);
@@ -280,7 +281,7 @@ class LayerEvaluation {
     }
 
     /// Where the normal, seen along the ray, looks on the sphere's picture.
-    HWY_INLINE SpherePlace diskPlace(const Facts<Field>& facts, Floats width) const {
+    HWY_INLINE SphereQuery sphereQuery(const Facts<Field>& facts, Floats width) const {
         Floats x = facts.normal.eye.x;
         Floats y = facts.normal.eye.y;
         if (scene_.perspective) { // the normal in the frame of the ray (spec style-transfer-functions 1)
@@ -299,7 +300,22 @@ class LayerEvaluation {
         if (layer_.twoSided) {
             stretch = hn::CopySign(stretch, facts.normal.facing);
         }
-        return spherePlace(scene_.atlas, hn::Mul(x, stretch), hn::Mul(y, stretch));
+        return {hn::Mul(x, stretch), hn::Mul(y, stretch), mipLevel(facts, width), facts.trusted};
+    }
+
+    /// Of the layer's spheres; 0 where the atlas has no other.
+    HWY_INLINE Floats mipLevel(const Facts<Field>& facts, Floats width) const {
+        const KernelAtlas& atlas = scene_.atlas;
+        if (atlas.levelStart == nullptr) {
+            return splat(0);
+        }
+        const Lanes footprint{hn::Mul(splat(atlas.footprintVoxels), facts.depth)};
+        Floats curvature = splat(0);
+        if (layer_.curvedLevels) { // contours read the rim, however the surface turns
+            curvature = hn::Mul(hn::Mul(splat(atlas.voxelMm), facts.bend), uninked(facts, width));
+        }
+        const Floats level = optics::mipLevel(Lanes{atlas.radiusTexels}, footprint, Lanes{curvature}).v;
+        return hn::Min(level, splat(static_cast<float>(atlas.lastLevel)));
     }
 
     /// Phong's light and the contours' ink over plain colours, `plain.colour(lane)`.

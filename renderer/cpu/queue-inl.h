@@ -198,7 +198,7 @@ class ShadeQueue {
     HWY_NOINLINE void compose(const Facts<VoxelField>& facts, int count) {
         for (std::size_t i = 0; i < layers_.size(); ++i) {
             const LayerEvaluation<VoxelField> layer(scene_, scene_.layers[i]);
-            hn::Store(layer.evaluate(facts, layers_[i].colours), kF, layers_[i].opacity.at);
+            layers_[i].opacity = layer.evaluate(facts, layers_[i].colours);
         }
         for (int lane = 0; lane < count; ++lane) {
             float* pixel = rgba_ + 4 * pixel_[lane];
@@ -230,7 +230,7 @@ class ShadeQueue {
             const KernelLayer& kernelLayer = scene_.layers[i];
             const LayerEvaluation<VoxelField> layer(scene_, kernelLayer);
             const Floats opacity = layer.evaluate(facts, layers_[i].colours);
-            hn::Store(opacity, kF, layers_[i].opacity.at);
+            layers_[i].opacity = opacity;
             composer_.weigh(measures, weight, kernelLayer.importanceWeight, opacity, facts.part, layers_[i].weighed);
         }
         LaneFloats dark(splat(1));

@@ -351,6 +351,7 @@ void BuiltScene::addLook(const RenderPlan& plan, const PlanLayer& layer, KernelL
         addColours(layer, out);
         return;
     }
+    out.curvedLevels = readsSecondDerivatives(layer);
     std::vector<std::int32_t> slots;
     for (const int style : layer.styles.nodeToStyle) {
         slots.push_back(layer.atlasSlots[static_cast<std::size_t>(style)]);
@@ -381,6 +382,13 @@ void BuiltScene::setTables(const RenderPlan& plan) {
             means_.insert(means_.end(), {mean.r, mean.g, mean.b, mean.a});
         }
         scene_.atlas = {plan.atlas->texels.data(), means_.data(), plan.atlas->size};
+        if (plan.mipLevels) {
+            scene_.atlas.levelStart = plan.atlas->levelStart.data();
+            scene_.atlas.lastLevel = static_cast<std::int32_t>(plan.atlas->levelStart.size()) - 1;
+            scene_.atlas.radiusTexels = static_cast<float>(plan.mipLevels->radiusTexels);
+            scene_.atlas.footprintVoxels = static_cast<float>(plan.mipLevels->footprintVoxels);
+            scene_.atlas.voxelMm = static_cast<float>(plan.mipLevels->voxelMm);
+        }
     }
     scene_.oneOpacity = plan.layers.size() == 1 && opacityByValue(plan.layers.front());
     const VisibleRange range = visibleRange(plan.layers, *plan.volume);

@@ -33,11 +33,19 @@ struct LaneInts {
     alignas(64) std::int32_t at[kMaxLanes];
     LaneInts() = default;
     HWY_INLINE explicit LaneInts(Ints v) { hn::Store(v, kI, at); }
+    HWY_INLINE LaneInts& operator=(Ints v) { // a copy would move the unused lanes as well
+        hn::Store(v, kI, at);
+        return *this;
+    }
 };
 struct LaneFloats {
     alignas(64) float at[kMaxLanes];
     LaneFloats() = default;
     HWY_INLINE explicit LaneFloats(Floats v) { hn::Store(v, kF, at); }
+    HWY_INLINE LaneFloats& operator=(Floats v) {
+        hn::Store(v, kF, at);
+        return *this;
+    }
 };
 
 /// One entry of a colour table and the next, interpolated.
@@ -68,16 +76,25 @@ struct SpherePlace {
     Floats right, down;
 };
 
-/// `x`, `y` on the disk, y up.
-HWY_INLINE SpherePlace spherePlace(const KernelAtlas& atlas, Floats x, Floats y) {
-    const float half = 0.5F * static_cast<float>(atlas.size);
-    const Floats last = splat(static_cast<float>(atlas.size - 1));
+/// What a sample asks of every sphere.
+struct SphereQuery {
+    Floats x, y;    ///< on the disk, y up
+    Floats level;   ///< mip level, up to the last; not read where there is only one
+    Floats trusted; ///< as Facts
+};
+
+/// `size`: of the sphere's picture, texels.
+HWY_INLINE SpherePlace spherePlace(Ints size, const SphereQuery& query) {
+    const Floats whole = toFloat(size);
+    const Floats half = hn::Mul(whole, splat(0.5F));
+    const Floats middle = hn::Sub(half, splat(0.5F));
+    const Floats last = hn::Sub(whole, splat(1));
     const auto inside = [&](Floats v) HWY_ATTR { return hn::Min(hn::Max(v, splat(0)), last); };
-    const Floats u = inside(hn::MulAdd(x, splat(half), splat(half - 0.5F)));
-    const Floats v = inside(hn::NegMulAdd(y, splat(half), splat(half - 0.5F)));
+    const Floats u = inside(hn::MulAdd(query.x, half, middle));
+    const Floats v = inside(hn::NegMulAdd(query.y, half, middle));
     const Ints column = truncate(u);
     const Ints row = truncate(v);
-    return {hn::Add(hn::Mul(row, splatInt(atlas.size)), column), hn::Sub(u, toFloat(column)), hn::Sub(v, toFloat(row))};
+    return {hn::Add(hn::Mul(row, size), column), hn::Sub(u, toFloat(column)), hn::Sub(v, toFloat(row))};
 }
 
 constexpr float kWhole = 32767.0F; ///< weight 1 of the integer interpolation
@@ -97,17 +114,20 @@ struct SphereTaps {
     LaneInts texel; ///< of the atlas
     LaneInts upper; ///< weights of the upper pair of texels
     LaneInts lower;
-    HWY_INLINE void set(const KernelAtlas& atlas, const SpherePlace& place, Ints slot, Ints whole) {
-        texel = LaneInts(hn::Add(hn::Mul(slot, splatInt(atlas.size * atlas.size)), place.texel));
+    /// `first`: texel of the atlas at which the sphere's picture begins.
+    HWY_INLINE void set(const SpherePlace& place, Ints first, Ints whole) {
+        texel = hn::Add(first, place.texel);
         const Ints below = shareOf(whole, place.down);
-        upper = LaneInts(pairOf(hn::Sub(whole, below), place.right));
-        lower = LaneInts(pairOf(below, place.right));
+        upper = pairOf(hn::Sub(whole, below), place.right);
+        lower = pairOf(below, place.right);
     }
     /// Adds this sphere's part of a lane's colour, times kWhole^2: two multiply-adds of the four channels' pairs.
-    HWY_INLINE void addTo(hn::Vec<decltype(kQuadInts)>& sum, const KernelAtlas& atlas, std::size_t lane) const {
-        const std::int16_t* at = atlas.texels + std::ptrdiff_t{4} * texel.at[lane];
+    /// `size`: of the picture, texels.
+    HWY_INLINE void addTo(hn::Vec<decltype(kQuadInts)>& sum, const std::int16_t* texels, std::int32_t size,
+                          std::size_t lane) const {
+        const std::int16_t* at = texels + std::ptrdiff_t{4} * texel.at[lane];
         sum = added(sum, at, upper.at[lane]);
-        sum = added(sum, at + std::ptrdiff_t{4} * atlas.size, lower.at[lane]);
+        sum = added(sum, at + std::ptrdiff_t{4} * size, lower.at[lane]);
     }
 
   private:
@@ -123,14 +143,18 @@ struct SphereTaps {
     }
 };
 
+HWY_INLINE void storeSum(hn::Vec<decltype(kQuadInts)> sum, float* rgba) {
+    hn::Store(hn::Mul(hn::ConvertTo(kQuad, sum), hn::Set(kQuad, kUnit)), kQuad, rgba);
+}
+
 template <int Count>
 HWY_INLINE void blendSpheres(const KernelAtlas& atlas, const SphereTaps* taps, LaneColours& out) {
     for (std::size_t lane = 0; lane < hn::Lanes(kF); ++lane) {
         hn::Vec<decltype(kQuadInts)> sum = hn::Zero(kQuadInts);
         for (int i = 0; i < Count; ++i) {
-            taps[i].addTo(sum, atlas, lane);
+            taps[i].addTo(sum, atlas.texels, atlas.size, lane);
         }
-        hn::Store(hn::Mul(hn::ConvertTo(kQuad, sum), hn::Set(kQuad, kUnit)), kQuad, out.rgba + 4 * lane);
+        storeSum(sum, out.rgba + 4 * lane);
     }
 }
 
@@ -154,8 +178,8 @@ HWY_NOINLINE inline void towardsMean(const KernelAtlas& atlas, const NodeBlend& 
     LaneInts slot[4];
     LaneFloats weight[4];
     for (int i = 0; i < slots.count; ++i) {
-        slot[i] = LaneInts(slots.node[i]);
-        weight[i] = LaneFloats(slots.weight[i]);
+        slot[i] = slots.node[i];
+        weight[i] = slots.weight[i];
     }
     for (std::size_t lane = 0; lane < hn::Lanes(kF); ++lane) {
         if (share.at[lane] < 1) {
@@ -170,21 +194,64 @@ HWY_NOINLINE inline void towardsMean(const KernelAtlas& atlas, const NodeBlend& 
     }
 }
 
-/// `sft`: the blend of the spheres in some slots of the atlas at a normal; `slots.node` are slots.
-HWY_INLINE void sphereColours(const KernelAtlas& atlas, const SpherePlace& place, const NodeBlend& slots,
-                              Floats trusted, LaneColours& out) {
+/// The blend of the spheres in some slots, each read from the atlas's finest pictures.
+HWY_INLINE void finestColours(const KernelAtlas& atlas, const SphereQuery& query, const NodeBlend& slots,
+                              LaneColours& out) {
     SphereTaps taps[4];
     const WholeWeights weights(slots);
+    const SpherePlace place = spherePlace(splatInt(atlas.size), query);
     for (int i = 0; i < slots.count; ++i) {
-        taps[i].set(atlas, place, slots.node[i], weights.at[i]);
+        taps[i].set(place, hn::Mul(slots.node[i], splatInt(atlas.size * atlas.size)), weights.at[i]);
     }
     switch (slots.count) {
     case 1: blendSpheres<1>(atlas, taps, out); break;
     case 2: blendSpheres<2>(atlas, taps, out); break;
     default: blendSpheres<4>(atlas, taps, out); break;
     }
-    if (!hn::AllTrue(kF, hn::Ge(trusted, splat(1)))) {
-        towardsMean(atlas, slots, trusted, out);
+}
+
+/// The same between the two mip levels around the one that each lane asks for.
+HWY_NOINLINE inline void levelColours(const KernelAtlas& atlas, const SphereQuery& query, const NodeBlend& slots,
+                                      LaneColours& out) {
+    const Ints fine = truncate(query.level);
+    const Floats beyond = hn::Sub(query.level, toFloat(fine));
+    const int levels = hn::AllFalse(kF, hn::Gt(beyond, splat(0))) ? 1 : 2;
+    const WholeWeights weights(slots);
+    SphereTaps taps[2][4];
+    LaneInts sizes[2];
+    for (int k = 0; k < levels; ++k) {
+        const Ints level = hn::Min(hn::Add(fine, splatInt(k)), splatInt(atlas.lastLevel));
+        const Ints size = hn::Shr(splatInt(atlas.size), level);
+        const Ints start = gatherAt(atlas.levelStart, hn::ShiftLeft<2>(level));
+        const SpherePlace place = spherePlace(size, query);
+        sizes[k] = size;
+        for (int i = 0; i < slots.count; ++i) {
+            const Ints coarse = shareOf(weights.at[i], beyond);
+            const Ints first = hn::Add(start, hn::Mul(slots.node[i], hn::Mul(size, size)));
+            taps[k][i].set(place, first, k == 0 ? hn::Sub(weights.at[i], coarse) : coarse);
+        }
+    }
+    for (std::size_t lane = 0; lane < hn::Lanes(kF); ++lane) {
+        hn::Vec<decltype(kQuadInts)> sum = hn::Zero(kQuadInts);
+        for (int k = 0; k < levels; ++k) {
+            for (int i = 0; i < slots.count; ++i) {
+                taps[k][i].addTo(sum, atlas.texels, sizes[k].at[lane], lane);
+            }
+        }
+        storeSum(sum, out.rgba + 4 * lane);
+    }
+}
+
+/// `sft`: the blend of the spheres in some slots of the atlas at a normal; `slots.node` are slots.
+HWY_INLINE void sphereColours(const KernelAtlas& atlas, const SphereQuery& query, const NodeBlend& slots,
+                              LaneColours& out) {
+    if (atlas.levelStart == nullptr) {
+        finestColours(atlas, query, slots, out);
+    } else {
+        levelColours(atlas, query, slots, out);
+    }
+    if (!hn::AllTrue(kF, hn::Ge(query.trusted, splat(1)))) {
+        towardsMean(atlas, slots, query.trusted, out);
     }
 }
 
@@ -223,8 +290,8 @@ struct PlainNodes {
     LaneFloats weight[4];
     HWY_INLINE PlainNodes(const float* nodeColours, const NodeBlend& nodes) : colours(nodeColours), count(nodes.count) {
         for (int i = 0; i < nodes.count; ++i) {
-            node[i] = LaneInts(nodes.node[i]);
-            weight[i] = LaneFloats(nodes.weight[i]);
+            node[i] = nodes.node[i];
+            weight[i] = nodes.weight[i];
         }
     }
     HWY_INLINE Quad colour(std::size_t lane) const {

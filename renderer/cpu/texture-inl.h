@@ -26,13 +26,13 @@ struct TexturePlace {
         : trusted(trust) {
         for (int axis = 0; axis < 3; ++axis) {
             const float* m = scene.mmFromCell[axis];
-            mm[axis] = LaneFloats(hn::Add(dot(q, {splat(m[0]), splat(m[1]), splat(m[2])}), splat(m[3])));
+            mm[axis] = hn::Add(dot(q, {splat(m[0]), splat(m[1]), splat(m[2])}), splat(m[3]));
         }
         const Vec3 n = turned(scene.mmFromEye, normalEye);
         const auto weights = optics::projectionWeights(optics::Vector3<Lanes>{Lanes{n.x}, Lanes{n.y}, Lanes{n.z}});
-        weight[0] = LaneFloats(weights.x.v);
-        weight[1] = LaneFloats(weights.y.v);
-        weight[2] = LaneFloats(weights.z.v);
+        weight[0] = weights.x.v;
+        weight[1] = weights.y.v;
+        weight[2] = weights.z.v;
     }
 };
 
@@ -88,8 +88,8 @@ HWY_NOINLINE inline void layTextures(const TexturePlace& place, const KernelText
     LaneInts node[4];
     LaneFloats weight[4];
     for (int i = 0; i < nodes.count; ++i) {
-        node[i] = LaneInts(nodes.node[i]);
-        weight[i] = LaneFloats(nodes.weight[i]);
+        node[i] = nodes.node[i];
+        weight[i] = nodes.weight[i];
     }
     for (std::size_t lane = 0; lane < hn::Lanes(kF); ++lane) {
         Quad factor = hn::Zero(kQuad);

@@ -1,6 +1,7 @@
 #include "renderer/plan/describe_plan.h"
 
 #include "core/figure/figure_json.h"
+#include "renderer/plan/mip_levels.h"
 
 #include <algorithm>
 #include <functional>
@@ -17,7 +18,13 @@ std::size_t tableBytes(const PlanLayer& layer) {
 }
 
 std::size_t atlasBytes(const StyleAtlas& atlas) {
-    return atlas.texels.size() * sizeof(std::int16_t) + atlas.mean.size() * sizeof(Rgba);
+    std::size_t bytes = atlas.texels.size() * sizeof(std::int16_t) + atlas.mean.size() * sizeof(Rgba);
+    for (const auto& level : atlas.pictures) {
+        for (const auto& picture : level) {
+            bytes += picture->pixels().size_bytes();
+        }
+    }
+    return bytes;
 }
 
 template <typename Test>
@@ -100,6 +107,8 @@ void describePlan(RenderPlan& plan, const PlanRequest& request) {
     feature(style, "lit-sphere styles", "a layer is drawn in styles", "no layer is drawn in styles");
     feature(style && plan.atlas && plan.atlas->directionalOpacity, "directional opacity",
             "a style has transparent directions", "every style is opaque in all directions");
+    feature(plan.mipLevels.has_value(), "mip levels of styles",
+            "pixels are wider than voxels, here more and there less", whyNoMipLevels(plan));
     feature(phong, "Phong shading", "a layer asks for it", "no layer asks for it");
     feature(readsNormal(plan), gradientName(plan.gradient), "layers or importance need normals",
             "nothing drawn needs normals");

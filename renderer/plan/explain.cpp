@@ -102,7 +102,8 @@ struct Costs {
                 }
             }
         }
-        cost.measuredMs = millisecondsOf([&] { packStyles(spheres, plan.atlas->size); });
+        cost.measuredMs = millisecondsOf(
+            [&] { packStyles(spheres, plan.atlas->size, plan.mipLevels ? AtlasLevels::all : AtlasLevels::one); });
         return cost;
     }
 

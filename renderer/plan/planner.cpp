@@ -5,6 +5,7 @@
 #include "core/volume/gradient_statistics.h"
 #include "renderer/plan/describe_plan.h"
 #include "renderer/plan/importance_bricks.h"
+#include "renderer/plan/mip_levels.h"
 #include "renderer/plan/plan_fields.h"
 #include "renderer/plan/plan_importance.h"
 #include "renderer/plan/plan_layer.h"
@@ -69,7 +70,7 @@ struct Planner::Cache {
     using CleanKey =
         std::tuple<std::shared_ptr<const Volume>, std::shared_ptr<const Volume>, std::vector<CleanupStep>, double>;
     using VisibleKey = std::tuple<std::shared_ptr<const MinMaxGrid>, double, double, std::vector<std::uint8_t>>;
-    using AtlasKey = std::tuple<std::vector<std::shared_ptr<const LitSphere>>, int>;
+    using AtlasKey = std::tuple<std::vector<std::shared_ptr<const LitSphere>>, int, AtlasLevels>;
     using MinMaxKey = std::pair<std::shared_ptr<const Volume>, SampleReach>;
     RecentResults<CleanKey, std::shared_ptr<const Volume>> cleaned;
     RecentResults<MinMaxKey, std::shared_ptr<const MinMaxGrid>> minMax;
@@ -87,19 +88,19 @@ struct Planner::Cache {
                 return sphere;
             }
         }
-        constexpr int size = 8; // the smallest the atlas takes
+        constexpr int size = StyleAtlas::kSmallest;
         const glm::vec3 c(rgb);
         auto sphere = std::make_shared<const LitSphere>(size, std::vector<Rgba>(size * size, {c.r, c.g, c.b, 1}));
         plainSpheres.emplace_back(rgb, sphere);
         return sphere;
     }
 
-    void packAtlas(RenderPlan& plan);
+    void packAtlas(RenderPlan& plan, bool omit);
     void addSkipGrid(RenderPlan& plan, const PlanRequest& request);
     void measureGradients(RenderPlan& plan);
 };
 
-void Planner::Cache::packAtlas(RenderPlan& plan) {
+void Planner::Cache::packAtlas(RenderPlan& plan, bool omit) {
     std::vector<std::shared_ptr<const LitSphere>> spheres;
     int largest = 0;
     for (PlanLayer& layer : plan.layers) {
@@ -119,15 +120,10 @@ void Planner::Cache::packAtlas(RenderPlan& plan) {
     if (spheres.empty()) {
         return;
     }
-    // The finest structure worth resolving is a ball of about 64 voxels across; over one pixel of it the normal turns
-    // by footprint / radius, which spans that many texels of the sphere's radius (spec style-transfer-functions.md 7).
-    // (Twice as fine costs a style up to 60 % more time: several spheres then no longer fit the second-level cache.)
-    constexpr double radiusVoxels = 32;
-    const double turn =
-        plan.rays.footprintMm / plan.subPixels / (radiusVoxels * plan.volume->grid().smallestSpacingMm());
-    const double texels = 2 / std::max(turn, 1e-6); // beyond any picture's size
-    const int wanted = static_cast<int>(std::min<double>(largest, texels));
-    plan.atlas = atlas.get({spheres, wanted}, [&] { return packStyles(spheres, wanted); });
+    const int size = atlasSize(atlasTexels(plan, largest));
+    plan.mipLevels = planMipLevels(plan, size, omit);
+    const AtlasLevels levels = plan.mipLevels ? AtlasLevels::all : AtlasLevels::one;
+    plan.atlas = atlas.get({spheres, size, levels}, [&] { return packStyles(spheres, size, levels); });
 }
 
 void Planner::Cache::addSkipGrid(RenderPlan& plan, const PlanRequest& request) {
@@ -192,7 +188,7 @@ std::shared_ptr<const RenderPlan> Planner::plan(const Figure& figure, const Plan
     task.throwIfCancelled();
     cache_->fields.addFields(*plan, task);
     cache_->addSkipGrid(*plan, request);
-    cache_->packAtlas(*plan);
+    cache_->packAtlas(*plan, request.omit);
     cache_->measureGradients(*plan);
     describePlan(*plan, request);
     return plan;

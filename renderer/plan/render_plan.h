@@ -64,6 +64,13 @@ struct PlanTexture {
     double strength = 0;
 };
 
+/// How a sample chooses among the mip levels of lit spheres (core/optics/mip.h): level 0 is the atlas's finest.
+struct PlanMipLevels {
+    double radiusTexels = 1;    ///< R: of the picture that is right for the finest structure in the target plane
+    double footprintVoxels = 1; ///< of a ray in the target plane
+    double voxelMm = 1;
+};
+
 /// One visible layer, ready to draw.
 struct PlanLayer {
     std::string name;
@@ -151,6 +158,8 @@ struct RenderPlan {
     std::shared_ptr<const SkipGrid> skip;
     std::shared_ptr<const StyleAtlas> atlas;  ///< null where no layer draws a lit sphere
     std::optional<PlanImportance> importance; ///< absent: ordinary composition
+    /// Absent where all samples read the atlas's finest picture: it then has no other.
+    std::optional<PlanMipLevels> mipLevels;
 
     std::vector<PlanFeature> featuresUsed;
     std::vector<PlanFeature> featuresLeftOut;

@@ -5,12 +5,21 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace limner {
 namespace {
 
 std::int16_t fifteenBits(float unit) {
     return static_cast<std::int16_t>(std::lround(std::clamp(unit, 0.0F, 1.0F) * 32767.0F));
+}
+
+void pack(const std::vector<Rgba>& picture, std::vector<std::int16_t>& texels) {
+    for (const Rgba& texel : picture) {
+        for (const float channel : {texel.r, texel.g, texel.b, texel.a}) {
+            texels.push_back(fifteenBits(channel));
+        }
+    }
 }
 
 /// The sphere's mip level of `size` texels, or the next finer one where halving does not meet it.
@@ -37,25 +46,35 @@ std::vector<Rgba> resampled(const LitSphere& sphere, int size) {
 
 } // namespace
 
-std::shared_ptr<const StyleAtlas> packStyles(std::span<const std::shared_ptr<const LitSphere>> spheres, int texels) {
+int atlasSize(int texels) {
+    const int wished = std::clamp(texels, StyleAtlas::kSmallest, StyleAtlas::kLargest);
+    return static_cast<int>(std::bit_ceil(static_cast<unsigned>(wished)));
+}
+
+std::shared_ptr<const StyleAtlas> packStyles(std::span<const std::shared_ptr<const LitSphere>> spheres, int texels,
+                                             AtlasLevels levels) {
     auto atlas = std::make_shared<StyleAtlas>();
-    atlas->size = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::clamp(texels, 8, 512))));
+    atlas->size = atlasSize(texels);
     atlas->slots = static_cast<int>(spheres.size());
     atlas->directionalOpacity =
         std::any_of(spheres.begin(), spheres.end(), [](const auto& sphere) { return sphere->hasDirectionalOpacity(); });
-    const auto side = static_cast<std::size_t>(atlas->size);
-    const std::size_t padded = (spheres.size() * side * side + side + 1) * 4;
-    atlas->texels.reserve(padded);
     for (const auto& sphere : spheres) {
         assert(sphere != nullptr);
-        for (const Rgba& texel : resampled(*mipLevel(sphere, atlas->size), atlas->size)) {
-            for (const float channel : {texel.r, texel.g, texel.b, texel.a}) {
-                atlas->texels.push_back(fifteenBits(channel));
-            }
-        }
         atlas->mean.push_back(sphere->mean());
     }
-    atlas->texels.resize(padded, 0);
+    std::vector<std::shared_ptr<const LitSphere>> pictures(spheres.begin(), spheres.end());
+    const int last = levels == AtlasLevels::all ? 1 : atlas->size;
+    for (int size = atlas->size; size >= last; size /= 2) {
+        atlas->levelStart.push_back(static_cast<std::int32_t>(atlas->texels.size() / 4));
+        for (auto& picture : pictures) {
+            picture = mipLevel(std::move(picture), size);
+            pack(resampled(*picture, size), atlas->texels);
+        }
+        if (levels == AtlasLevels::all) {
+            atlas->pictures.push_back(pictures);
+        }
+    }
+    atlas->texels.resize(atlas->texels.size() + 4 * (static_cast<std::size_t>(last) + 1), 0);
     return atlas;
 }
 

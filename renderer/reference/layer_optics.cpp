@@ -1,6 +1,7 @@
 #include "renderer/reference/layer_optics.h"
 
 #include "core/optics/contour.h"
+#include "core/optics/mip.h"
 #include "core/optics/texture.h"
 #include "core/optics/transparency.h"
 #include "renderer/reference/field.h"
@@ -204,22 +205,57 @@ TransferSample transferAt(const RenderPlan& plan, const PlanLayer& layer, const 
     return sample;
 }
 
-/// One style at a normal: its mean where the normal means nothing.
-glm::dvec4 lookUp(const StyleIndex::Entry& style, const optics::DiskPoint<double>& point, double definedness) {
-    if (!style.sphere) {
-        return {style.rgb, 1};
-    }
-    const glm::dvec4 mean = fromRgba(style.sphere->mean());
-    return mean + (fromRgba(style.sphere->at(point.x, point.y)) - mean) * definedness;
+/// A slot of the atlas between the two mip levels around a wanted one.
+glm::dvec4 atLevel(const StyleAtlas& atlas, std::size_t slot, const optics::DiskPoint<double>& point, double wanted) {
+    const double last = static_cast<double>(atlas.pictures.size() - 1);
+    const double level = std::min(wanted, last);
+    const auto at = [&](double whole) {
+        const auto& pictures = atlas.pictures[static_cast<std::size_t>(std::min(whole, last))];
+        return fromRgba(pictures[slot]->at(point.x, point.y));
+    };
+    return glm::mix(at(std::floor(level)), at(std::floor(level) + 1), level - std::floor(level));
 }
 
-/// Whole styles, or plain colours, blended by the nodes' weights.
+/// Mip level for a layer whose contours end at `width`; 0 where the plan has no other.
+double mipLevelAt(const RenderPlan& plan, const PlanLayer& layer, const SampleFacts& facts, double width) {
+    if (!plan.mipLevels) {
+        return 0;
+    }
+    const PlanMipLevels& levels = *plan.mipLevels;
+    double curvature = 0;
+    if (readsSecondDerivatives(layer)) { // contours read the rim, however the surface turns
+        curvature = levels.voxelMm * facts.surface.bend *
+                    (1 - optics::contourCoverage(std::abs(facts.surface.normalRay.z), width));
+    }
+    return optics::mipLevel(levels.radiusTexels, levels.footprintVoxels * facts.depth, curvature);
+}
+
+/// Where a layer's spheres are read.
+struct SphereQuery {
+    optics::DiskPoint<double> point;
+    double level;
+    double definedness; ///< of the normal
+};
+
+/// One style of a layer: its mean where the normal means nothing.
+glm::dvec4 lookUp(const RenderPlan& plan, const PlanLayer& layer, std::size_t style, const SphereQuery& query) {
+    const StyleIndex::Entry& entry = layer.styles.styles[style];
+    if (!entry.sphere) {
+        return {entry.rgb, 1};
+    }
+    const glm::dvec4 there = plan.mipLevels ? atLevel(*plan.atlas, static_cast<std::size_t>(layer.atlasSlots[style]),
+                                                      query.point, query.level)
+                                            : fromRgba(entry.sphere->at(query.point.x, query.point.y));
+    return glm::mix(fromRgba(entry.sphere->mean()), there, query.definedness);
+}
+
+/// What `look` gives for every style, blended by the nodes' weights.
 template <typename Look>
 glm::dvec4 blended(const PlanLayer& layer, const TransferSample& sample, const Look& look) {
     glm::dvec4 sum(0);
     for (const TransferSample::Node& node : sample.nodes) {
-        const int style = layer.styles.nodeToStyle[static_cast<std::size_t>(node.node)];
-        sum += node.weight * look(layer.styles.styles[static_cast<std::size_t>(style)]);
+        sum +=
+            node.weight * look(static_cast<std::size_t>(layer.styles.nodeToStyle[static_cast<std::size_t>(node.node)]));
     }
     return sum;
 }
@@ -260,15 +296,16 @@ glm::dvec4 colourOf(const RenderPlan& plan, const PlanLayer& layer, const Transf
         const double radius = std::hypot(inside.x, inside.y);
         const double pushed = optics::contourPush(radius, std::abs(normal.z), width);
         const double stretch = radius > 0 ? pushed / radius : 1;
-        const optics::DiskPoint<double> point{inside.x * stretch, inside.y * stretch};
-        const glm::dvec4 lit = blended(
-            layer, transfer, [&](const StyleIndex::Entry& style) { return lookUp(style, point, surface.definedness); });
+        const SphereQuery query{
+            {inside.x * stretch, inside.y * stretch}, mipLevelAt(plan, layer, facts, width), surface.definedness};
+        const glm::dvec4 lit =
+            blended(layer, transfer, [&](std::size_t style) { return lookUp(plan, layer, style, query); });
         return layer.textures.empty()
                    ? lit
                    : glm::dvec4(glm::min(glm::dvec3(lit) * textureAt(plan, layer, transfer, facts), 1.0), lit.a);
     }
     const glm::dvec4 plain =
-        blended(layer, transfer, [](const StyleIndex::Entry& style) { return glm::dvec4(style.rgb, 1); });
+        blended(layer, transfer, [&](std::size_t style) { return glm::dvec4(layer.styles.styles[style].rgb, 1); });
     const double ink = 1 - optics::contourCoverage(std::abs(surface.normalRay.z), width);
     if (layer.shading == Shading::flat) {
         return {glm::dvec3(plain) * ink, 1};

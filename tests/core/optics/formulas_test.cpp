@@ -1,6 +1,8 @@
 #include "core/optics/contour.h"
 #include "core/optics/importance.h"
 #include "core/optics/measures.h"
+#include "core/optics/mip.h"
+#include "core/optics/shading.h"
 #include "core/optics/stipple.h"
 #include "core/optics/transparency.h"
 
@@ -125,6 +127,43 @@ TEST(Lighting, PowersAreExact) {
         EXPECT_EQ(wholePower(0.0, exponent), exponent == 0 ? 1 : 0);
     }
     EXPECT_NEAR(lightingImportance(0.9, 0.5, 0.25, {2, 1, 3}), 3 - 0.81 - 0.5 - 0.421875, 1e-15);
+}
+
+TEST(MipLevel, TurnIsHowFarThePlaceOnTheSphereMoves) {
+    // Across a ball of radius 20 the place of the next ray is f / 20 farther on, at the middle and near the rim.
+    constexpr double radius = 20;
+    constexpr double footprint = 0.5;
+    for (const double x : {0.0, 5.0, 12.0, 18.0}) {
+        const auto at = [&](double across) {
+            const Vector3<double> normal = {across / radius, 0, std::sqrt(1 - across * across / (radius * radius))};
+            return litSpherePoint(normal).x;
+        };
+        EXPECT_NEAR(at(x + footprint) - at(x), turnOverFootprint(footprint, -1 / radius), 1e-12) << x;
+    }
+    EXPECT_EQ(turnOverFootprint(footprint, 0.0), footprint / kStructureVoxels);
+}
+
+TEST(MipLevel, GrowsByOneForEveryDoubling) {
+    EXPECT_EQ(mipLevel(16.0, 2.0, 0.0), 0); // a texel a ray
+    EXPECT_EQ(mipLevel(16.0, 4.0, 0.0), 1);
+    EXPECT_EQ(mipLevel(16.0, 16.0, 0.0), 3);
+    EXPECT_EQ(mipLevel(16.0, 2.0, 0.25), 3);
+    EXPECT_EQ(mipLevel(32.0, 2.0, 0.25), 4);
+    EXPECT_EQ(mipLevel(2.0, 4.0, 0.0), 0); // never finer than the finest
+}
+
+TEST(MipLevel, BeginsWhereRaysAreWiderThanVoxels) {
+    for (const double footprint : {0.0, 0.3, 1.0}) {
+        EXPECT_EQ(mipLevel(200.0, footprint, 0.5), 0);
+    }
+    double last = 0;
+    for (double footprint = 1; footprint < 3; footprint += 1e-3) { // and nothing jumps
+        const double level = mipLevel(200.0, footprint, 0.5);
+        EXPECT_GE(level, last);
+        EXPECT_LT(level - last, 0.02);
+        last = level;
+    }
+    EXPECT_EQ(mipLevel(200.0, 2.0, kInfinity), kInfinity); // the chain's end, to be clamped
 }
 
 TEST(Lens, FallsOffFromItsMiddle) {

@@ -85,6 +85,21 @@ TEST_F(PlannerTest, PartsThatAreNotUsedAreNotInThePlan) {
     EXPECT_EQ(makeCpuBackend()->render(*plan(figure), {{0, 0}, {64, 64}}, task_).samples, 0U);
 }
 
+TEST_F(PlannerTest, SaysWhetherStylesHaveMipLevels) {
+    Figure figure = headFigure();
+    EXPECT_TRUE(names(plan(figure)->featuresLeftOut, "mip levels of styles")); // orthographic: one serves all
+    figure.camera.projection = Projection::perspective;
+    figure.camera.heightMm = 960; // pixels of three voxels
+    const auto far = plan(figure);
+    EXPECT_TRUE(names(far->featuresUsed, "mip levels of styles"));
+    EXPECT_EQ(far->atlas->levelStart.size(), far->atlas->pictures.size());
+    figure.camera.heightMm = 120; // of a third
+    EXPECT_TRUE(names(plan(figure)->featuresLeftOut, "mip levels of styles"));
+    figure.layers[0].shading = Shading::phong;
+    figure.camera.heightMm = 960;
+    EXPECT_TRUE(names(plan(figure)->featuresLeftOut, "mip levels of styles"));
+}
+
 TEST_F(PlannerTest, HiddenLayersAreInNoPlan) {
     Figure figure = headFigure();
     figure.layers.push_back(figure.layers[0]);

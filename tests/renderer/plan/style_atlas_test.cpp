@@ -99,5 +99,32 @@ TEST(StyleAtlas, CoarserLevelsAreHalvedInsideTheDisk) {
     EXPECT_NEAR(texel(*atlas, 8 * 16 + 8).r, 0.5, kHalfStep);
 }
 
+TEST(StyleAtlas, AChainHalvesDownToTheMean) {
+    std::vector<Rgba> stripes;
+    for (int i = 0; i < 64 * 64; ++i) {
+        stripes.push_back(i % 64 < 20 ? Rgba{1, 0, 0, 1} : Rgba{0, 0, 1, 1});
+    }
+    const auto sphere = std::make_shared<const LitSphere>(64, stripes);
+    const auto plain = makeSphere(8, {{0.5F, 0.25F, 0.75F, 1}});
+    const auto atlas = packStyles(std::vector<std::shared_ptr<const LitSphere>>{plain, sphere}, 32, AtlasLevels::all);
+    ASSERT_EQ(atlas->levelStart.size(), 6U); // 32, 16, 8, 4, 2, 1
+    ASSERT_EQ(atlas->pictures.size(), 6U);
+    auto expected = sphere->half();
+    std::size_t first = 0;
+    for (std::size_t level = 0; level < 6; ++level) {
+        const std::size_t side = std::size_t{32} >> level;
+        ASSERT_EQ(static_cast<std::size_t>(atlas->levelStart[level]), first);
+        EXPECT_EQ(atlas->pictures[level][1]->size(), static_cast<int>(side));
+        for (std::size_t i = 0; i < side * side; ++i) {
+            ASSERT_NEAR(texel(*atlas, first + i).g, 0.25, kHalfStep) << level;
+            ASSERT_NEAR(texel(*atlas, first + side * side + i).r, expected->pixels()[i].r, kHalfStep) << level;
+        }
+        first += 2 * side * side;
+        expected = expected->half();
+    }
+    EXPECT_NEAR(texel(*atlas, first - 1).r, sphere->mean().r, 0.02); // of means, each over its part of the disk
+    EXPECT_EQ(atlas->texels.size(), 4 * (first + 2));
+}
+
 } // namespace
 } // namespace limner
