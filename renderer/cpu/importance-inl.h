@@ -57,11 +57,18 @@ class ImportanceMeasures {
 
     /// What colours are multiplied by, so that outlines show; `acts`: how much importance acts there, 0..1.
     HWY_INLINE Floats darkening(Floats acts) const {
+        if (hn::AllFalse(kF, hn::Gt(silhouetteness_, splat(0)))) {
+            return splat(1);
+        }
         return exp(Lanes{hn::Mul(hn::Mul(splat(-settings_.darkening), acts), silhouetteness_)}).v;
     }
 
   private:
     HWY_NOINLINE Floats silhouettenessOf(const Facts<Field>& facts) const {
+        const Floats turned = hn::Sub(splat(1), hn::Abs(facts.normal.facing));
+        if (hn::AllFalse(kF, hn::Ge(turned, splat(settings_.silhouetteLow)))) {
+            return splat(0);
+        }
         const optics::SilhouetteTerms<Lanes> terms = {Lanes{splat(settings_.silhouetteExponent)},
                                                       Lanes{splat(settings_.silhouetteLow)},
                                                       Lanes{splat(settings_.silhouetteHigh)}};
@@ -98,6 +105,21 @@ class ImportanceMeasures {
     Floats shared_{};
     Floats silhouetteness_{};
 };
+
+/// One number four times, beside an RGBA: a scalar type of the formulas that compiles to no branch.
+struct Quads {
+    Quad v;
+    HWY_INLINE explicit Quads(double x) : v(hn::Set(kQuad, static_cast<float>(x))) {}
+    HWY_INLINE explicit Quads(Quad x) : v(x) {}
+};
+using QuadMask = hn::Mask<hn::Simd<float, 4, 0>>;
+HWY_INLINE Quads operator+(Quads a, Quads b) { return Quads(hn::Add(a.v, b.v)); }
+HWY_INLINE Quads operator-(Quads a, Quads b) { return Quads(hn::Sub(a.v, b.v)); }
+HWY_INLINE Quads operator*(Quads a, Quads b) { return Quads(hn::Mul(a.v, b.v)); }
+HWY_INLINE Quads operator/(Quads a, Quads b) { return Quads(hn::Div(a.v, b.v)); }
+HWY_INLINE QuadMask operator>(Quads a, Quads b) { return hn::Gt(a.v, b.v); }
+HWY_INLINE Quads select(QuadMask mask, Quads yes, Quads no) { return Quads(hn::IfThenElse(mask, yes.v, no.v)); }
+HWY_INLINE Quads max(Quads a, Quads b) { return Quads(hn::Max(a.v, b.v)); }
 
 /// What the samples of a vector bring to composition by importance, for one layer.
 struct WeighedLanes {
@@ -145,8 +167,10 @@ class ImportanceComposer {
                           Floats part, WeighedLanes& out) const {
         const Floats depth = optics::opticalDepth(Lanes{opacity}).v;
         const Floats extinction = hn::Div(depth, hn::Mul(splat(stepRatio_), hn::Max(part, splat(1e-6F))));
-        const Lanes gate =
-            optics::importanceOfVisible(Lanes{splat(1)}, Lanes{extinction}, Lanes{splat(settings_.noiseFloor)});
+        Lanes gate{splat(1)};
+        if (!hn::AllTrue(kF, hn::Ge(extinction, splat(4 * settings_.noiseFloor)))) {
+            gate = optics::importanceOfVisible(gate, Lanes{extinction}, Lanes{splat(settings_.noiseFloor)});
+        }
         const Lanes factor{hn::Mul(weight, splat(ofLayer))};
         const Lanes sum{measures.sum(extinction)};
         if (settings_.unocclusion > 0) {
@@ -171,12 +195,15 @@ class ImportanceComposer {
             exponential = std::exp(total * weighed.gate.at[lane]);
             pixels_.depth[pixel] += weighed.depth.at[lane];
         }
-        optics::ExponentialState<float> state = {rgba[3], pixels_.exponential[pixel]};
-        const float kept = optics::keptBehind(state, opacity, exponential);
-        const Quad mixed = hn::MulAdd(hn::Sub(hn::Load(kQuad, rgba), colour), hn::Set(kQuad, kept), colour);
+        const Quad before = hn::Load(kQuad, rgba);
+        optics::ExponentialState<Quads> state = {Quads(hn::Broadcast<3>(before)),
+                                                 Quads(hn::Set(kQuad, pixels_.exponential[pixel]))};
+        const Quads kept =
+            optics::keptBehind(state, Quads(hn::Set(kQuad, opacity)), Quads(hn::Set(kQuad, exponential)));
+        const Quad mixed = hn::MulAdd(hn::Sub(before, colour), kept.v, colour);
         // In one store: the pixel's next sample would wait for two of different lengths.
-        hn::Store(hn::IfThenElse(alphaLane(), hn::Set(kQuad, state.opacity), mixed), kQuad, rgba);
-        pixels_.exponential[pixel] = state.exponential;
+        hn::Store(hn::IfThenElse(alphaLane(), state.opacity.v, mixed), kQuad, rgba);
+        pixels_.exponential[pixel] = hn::GetLane(state.exponential.v);
     }
 
     /// e^-Emax: what can still come behind a sample; `ahead`: greatest sum of measures there, but unocclusion.

@@ -235,8 +235,7 @@ class ShadeQueue {
         }
         LaneFloats dark(splat(1));
         if (settings.silhouette > 0) {
-            hn::Store(measures.darkening(hn::Min(hn::Mul(weight, splat(settings.actsPerWeight)), splat(1))), kF,
-                      dark.at);
+            dark = measures.darkening(hn::Min(hn::Mul(weight, splat(settings.actsPerWeight)), splat(1)));
         }
         const LaneFloats ahead(hn::GatherIndex(kF, ahead_, slabOf(facts.q)));
         const LaneFloats share(composer_.shareAhead(weight, hn::Load(kF, ahead.at)));
