@@ -19,57 +19,6 @@ namespace {
 
 constexpr int kBins = 1024; // an 11-bit scan's values two by two; classes lie tens of bins apart
 
-/// Class sums of a histogram for Otsu's criterion.
-class ClassSums {
-  public:
-    explicit ClassSums(const std::vector<std::uint64_t>& counts) {
-        mass_.push_back(0);
-        moment_.push_back(0);
-        for (std::size_t i = 0; i < counts.size(); ++i) {
-            const auto count = static_cast<double>(counts[i]);
-            mass_.push_back(mass_.back() + count);
-            moment_.push_back(moment_.back() + count * static_cast<double>(i));
-        }
-    }
-    /// Mass times squared mean of the bins [from, to): what the sum over classes of makes the between-class variance.
-    [[nodiscard]] double part(std::size_t from, std::size_t to) const {
-        const double mass = mass_[to] - mass_[from];
-        const double moment = moment_[to] - moment_[from];
-        return mass > 0 ? moment * moment / mass : 0;
-    }
-
-  private:
-    std::vector<double> mass_;
-    std::vector<double> moment_;
-};
-
-void findThresholds(ScanFacts& facts) {
-    const Histogram& h = facts.histogram;
-    const std::size_t bins = h.counts.size();
-    const ClassSums sums(h.counts);
-    const auto lowerEdge = [&](std::size_t bin) {
-        return h.range.low + static_cast<double>(bin) * (h.range.high - h.range.low) / static_cast<double>(bins);
-    };
-    double best = -1;
-    for (std::size_t t = 1; t < bins; ++t) {
-        if (const double score = sums.part(0, t) + sums.part(t, bins); score > best) {
-            best = score;
-            facts.otsu = lowerEdge(t);
-        }
-    }
-    best = -1;
-    for (std::size_t t = 1; t < bins; ++t) {
-        const double below = sums.part(0, t);
-        for (std::size_t u = t + 1; u < bins; ++u) {
-            if (const double score = below + sums.part(t, u) + sums.part(u, bins); score > best) {
-                best = score;
-                facts.otsuLower = lowerEdge(t);
-                facts.otsuUpper = lowerEdge(u);
-            }
-        }
-    }
-}
-
 double shareAbove(const Histogram& h, double value) {
     double above = 0;
     double total = 0;
@@ -336,7 +285,10 @@ bool looksLabelled(const Volume& volume) {
 ScanFacts examineScan(const Volume& volume) {
     ScanFacts facts;
     facts.histogram = computeHistogram(volume, kBins);
-    findThresholds(facts);
+    facts.otsu = facts.histogram.otsu();
+    const auto [lower, upper] = facts.histogram.otsuOfThree();
+    facts.otsuLower = lower;
+    facts.otsuUpper = upper;
     facts.matterShare = shareAbove(facts.histogram, facts.otsu);
     if (volume.contents().modality != Modality::mr && volume.contents().modality != Modality::labels) {
         facts.huIntercept = huIntercept(volume, facts.histogram);

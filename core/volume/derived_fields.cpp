@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
-#include <vector>
 
 namespace limner {
 
@@ -61,46 +59,11 @@ void prefilter(const LineBundle& lines) {
     }
 }
 
-/// Weights of a sampled Gaussian from its middle outwards, together (both sides) 1.
-std::vector<float> gaussianWeights(double sigma) {
-    constexpr double kReach = 4; // sigmas: what is cut off is 6e-5, of 16 bits
-    std::vector<double> exact;
-    double sum = 0;
-    for (int k = 0; k <= static_cast<int>(std::ceil(kReach * sigma)); ++k) {
-        exact.push_back(std::exp(-0.5 * (k / sigma) * (k / sigma)));
-        sum += (k == 0 ? 1 : 2) * exact.back();
-    }
-    std::vector<float> weights;
-    for (const double weight : exact) {
-        weights.push_back(static_cast<float>(weight / sum));
-    }
-    return weights;
-}
-
-/// The border voxel is repeated outside the volume.
-void convolve(const LineBundle& lines, const std::vector<float>& weights) {
-    for (int k = 0; k < lines.count; ++k) {
-        float* out = lines.outAt(k);
-        const float* middle = lines.inAt(k);
-        for (int i = 0; i < lines.width; ++i) {
-            out[i] = weights[0] * middle[i];
-        }
-        for (int t = 1; t < static_cast<int>(weights.size()); ++t) {
-            const float* a = lines.inAt(std::max(0, k - t));
-            const float* b = lines.inAt(std::min(lines.count - 1, k + t));
-            const float weight = weights[static_cast<std::size_t>(t)];
-            for (int i = 0; i < lines.width; ++i) {
-                out[i] += weight * (a[i] + b[i]);
-            }
-        }
-    }
-}
-
 std::shared_ptr<const Volume> separableField(const Volume& source, const std::array<LineFilter, 3>& filters,
                                              Task& task) {
     return fields::withinMemory([&] {
         const float base = fields::storedBase(source);
-        auto field = fields::filtered(source, base, filters, task);
+        auto field = fields::filtered(source, {.base = base}, filters, task);
         task.throwIfCancelled();
         auto kept = fields::keptLike(source, std::move(field), base);
         task.progress(1);
@@ -121,14 +84,7 @@ std::shared_ptr<const Volume> splineCoefficients(const Volume& source, Task& tas
 }
 
 std::shared_ptr<const Volume> gaussianBlurred(const Volume& source, const glm::dvec3& sigmaVoxels, Task& task) {
-    std::array<LineFilter, 3> filters;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (sigmaVoxels[axis] > 0 && source.grid().dims[axis] > 1) {
-            filters[static_cast<std::size_t>(axis)] =
-                [weights = gaussianWeights(sigmaVoxels[axis])](const LineBundle& lines) { convolve(lines, weights); };
-        }
-    }
-    return separableField(source, filters, task);
+    return separableField(source, fields::gaussianFilters(source.grid().dims, sigmaVoxels), task);
 }
 
 } // namespace limner

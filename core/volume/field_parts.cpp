@@ -56,9 +56,44 @@ void filterAcross(float* first, int rowLength, std::size_t stride, int count, co
     }
 }
 
+/// Weights of a sampled Gaussian from its middle outwards, together (both sides) 1.
+std::vector<float> gaussianWeights(double sigma) {
+    constexpr double kReach = 4; // sigmas: what is cut off is 6e-5, of 16 bits
+    std::vector<double> exact;
+    double sum = 0;
+    for (int k = 0; k <= static_cast<int>(std::ceil(kReach * sigma)); ++k) {
+        exact.push_back(std::exp(-0.5 * (k / sigma) * (k / sigma)));
+        sum += (k == 0 ? 1 : 2) * exact.back();
+    }
+    std::vector<float> weights;
+    for (const double weight : exact) {
+        weights.push_back(static_cast<float>(weight / sum));
+    }
+    return weights;
+}
+
+/// The border voxel is repeated outside the volume.
+void convolve(const LineBundle& lines, const std::vector<float>& weights) {
+    for (int k = 0; k < lines.count; ++k) {
+        float* out = lines.outAt(k);
+        const float* middle = lines.inAt(k);
+        for (int i = 0; i < lines.width; ++i) {
+            out[i] = weights[0] * middle[i];
+        }
+        for (int t = 1; t < static_cast<int>(weights.size()); ++t) {
+            const float* a = lines.inAt(std::max(0, k - t));
+            const float* b = lines.inAt(std::min(lines.count - 1, k + t));
+            const float weight = weights[static_cast<std::size_t>(t)];
+            for (int i = 0; i < lines.width; ++i) {
+                out[i] += weight * (a[i] + b[i]);
+            }
+        }
+    }
+}
+
 /// Reads the rows of a slice and filters them along x.
 template <typename T>
-void readSlice(const Volume& source, float base, int z, const LineFilter& filter, Numbers<float>& out) {
+void readSlice(const Volume& source, const Reading& reading, int z, const LineFilter& filter, Numbers<float>& out) {
     const glm::ivec3 dims = source.grid().dims;
     std::vector<T> row(static_cast<std::size_t>(dims.x));
     Scratch scratch(dims.x, kRowLanes);
@@ -67,7 +102,9 @@ void readSlice(const Volume& source, float base, int z, const LineFilter& filter
         for (int lane = 0; lane < bundle.width; ++lane) {
             source.copyRow(y + lane, z, reinterpret_cast<std::byte*>(row.data()));
             for (int x = 0; x < dims.x; ++x) {
-                bundle.inAt(x)[lane] = static_cast<float>(row[static_cast<std::size_t>(x)]) - base;
+                const float number =
+                    (static_cast<float>(row[static_cast<std::size_t>(x)]) - reading.base) * reading.scale;
+                bundle.inAt(x)[lane] = reading.squared ? number * number : number;
             }
         }
         if (filter) {
@@ -116,14 +153,26 @@ ValueRange rangeOf(const Numbers<float>& field) {
 
 } // namespace
 
-Numbers<float> filtered(const Volume& source, float base, const std::array<LineFilter, 3>& filters, Task& task) {
+std::array<LineFilter, 3> gaussianFilters(glm::ivec3 dims, const glm::dvec3& sigmaVoxels) {
+    std::array<LineFilter, 3> filters;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (sigmaVoxels[axis] > 0 && dims[axis] > 1) {
+            filters[static_cast<std::size_t>(axis)] =
+                [weights = gaussianWeights(sigmaVoxels[axis])](const LineBundle& lines) { convolve(lines, weights); };
+        }
+    }
+    return filters;
+}
+
+Numbers<float> filtered(const Volume& source, const Reading& reading, const std::array<LineFilter, 3>& filters,
+                        Task& task) {
     const glm::ivec3 dims = source.grid().dims;
     const auto rowStride = static_cast<std::size_t>(dims.x);
     Numbers<float> field(dims);
     tbb::parallel_for(0, dims.z, [&](int z) {
         task.throwIfCancelled();
         withVoxelType(source.type(), [&](auto* none) {
-            readSlice<std::remove_cvref_t<decltype(*none)>>(source, base, z, filters[0], field);
+            readSlice<std::remove_cvref_t<decltype(*none)>>(source, reading, z, filters[0], field);
         });
         if (filters[1]) {
             filterAcross(field.row(0, z), dims.x, rowStride, dims.y, filters[1]);

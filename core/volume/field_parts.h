@@ -68,8 +68,19 @@ struct LineBundle {
 /// Writes `out` of a bundle; called from many threads. Empty: the axis stays as it is.
 using LineFilter = std::function<void(const LineBundle&)>;
 
-/// The stored numbers less `base`, filtered along x, y and z.
-Numbers<float> filtered(const Volume& source, float base, const std::array<LineFilter, 3>& filters, Task& task);
+/// A Gaussian blur, see `gaussianBlurred`.
+std::array<LineFilter, 3> gaussianFilters(glm::ivec3 dims, const glm::dvec3& sigmaVoxels);
+
+/// What a stored number counts as: (stored - base) * scale, or the square of that.
+struct Reading {
+    float base = 0;
+    float scale = 1;
+    bool squared = false;
+};
+
+/// The stored numbers as `reading` has them, filtered along x, y and z.
+Numbers<float> filtered(const Volume& source, const Reading& reading, const std::array<LineFilter, 3>& filters,
+                        Task& task);
 
 /// A number inside the source's stored range to count from: what 32 bits resolve is then a part of the range, wherever
 /// the range lies.

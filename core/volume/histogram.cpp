@@ -161,10 +161,38 @@ std::vector<Peak> maxima(const std::vector<double>& curve) {
     return peaks;
 }
 
+/// Class sums of a histogram for Otsu's criterion.
+class ClassSums {
+  public:
+    explicit ClassSums(const std::vector<std::uint64_t>& counts) {
+        mass_.push_back(0);
+        moment_.push_back(0);
+        for (std::size_t i = 0; i < counts.size(); ++i) {
+            const auto count = static_cast<double>(counts[i]);
+            mass_.push_back(mass_.back() + count);
+            moment_.push_back(moment_.back() + count * static_cast<double>(i));
+        }
+    }
+    /// Mass times squared mean of the bins [from, to): what the sum over classes of makes the between-class variance.
+    [[nodiscard]] double part(std::size_t from, std::size_t to) const {
+        const double mass = mass_[to] - mass_[from];
+        const double moment = moment_[to] - moment_[from];
+        return mass > 0 ? moment * moment / mass : 0;
+    }
+
+  private:
+    std::vector<double> mass_;
+    std::vector<double> moment_;
+};
+
 } // namespace
 
 double Histogram::binCentre(std::size_t bin) const {
     return range.low + (static_cast<double>(bin) + 0.5) * (range.high - range.low) / static_cast<double>(counts.size());
+}
+
+double Histogram::lowerEdge(std::size_t bin) const {
+    return range.low + static_cast<double>(bin) * (range.high - range.low) / static_cast<double>(counts.size());
 }
 
 double Histogram::percentile(double fraction) const {
@@ -201,6 +229,35 @@ std::vector<double> Histogram::peaks(std::size_t atMost) const {
         values.push_back(binCentre(static_cast<std::size_t>(clear[i].bin)));
     }
     return values;
+}
+
+double Histogram::otsu() const {
+    const ClassSums sums(counts);
+    double best = -1;
+    double threshold = range.low;
+    for (std::size_t t = 1; t < counts.size(); ++t) {
+        if (const double score = sums.part(0, t) + sums.part(t, counts.size()); score > best) {
+            best = score;
+            threshold = lowerEdge(t);
+        }
+    }
+    return threshold;
+}
+
+std::array<double, 2> Histogram::otsuOfThree() const {
+    const ClassSums sums(counts);
+    double best = -1;
+    std::array<double, 2> thresholds = {range.low, range.low};
+    for (std::size_t t = 1; t < counts.size(); ++t) {
+        const double below = sums.part(0, t);
+        for (std::size_t u = t + 1; u < counts.size(); ++u) {
+            if (const double score = below + sums.part(t, u) + sums.part(u, counts.size()); score > best) {
+                best = score;
+                thresholds = {lowerEdge(t), lowerEdge(u)};
+            }
+        }
+    }
+    return thresholds;
 }
 
 Histogram computeHistogram(const Volume& volume, int bins) {

@@ -2,6 +2,7 @@
 
 #include "core/volume/volume.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -13,10 +14,15 @@ struct Histogram {
     std::vector<std::uint64_t> counts;
 
     [[nodiscard]] double binCentre(std::size_t bin) const;
+    [[nodiscard]] double lowerEdge(std::size_t bin) const;
     /// Value below which the share `fraction` of all voxels lies, to one bin.
     [[nodiscard]] double percentile(double fraction) const;
     /// Values of the clear maxima of the smoothed histogram, most prominent first.
     [[nodiscard]] std::vector<double> peaks(std::size_t atMost) const;
+    /// Threshold that parts two classes of least variance (Otsu 1979).
+    [[nodiscard]] double otsu() const;
+    /// The lower and the upper threshold that part three.
+    [[nodiscard]] std::array<double, 2> otsuOfThree() const;
 };
 
 /// Runs in parallel; every voxel is counted once. `bins` > 0; a constant volume puts all into the first bin.

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -70,6 +71,37 @@ TEST(Histogram, FindsTissuePeaksInNoise) {
     EXPECT_NEAR(peaks[1], 40, 12);
     EXPECT_NEAR(peaks[2], 900, 12);
     EXPECT_EQ(computeHistogram(*volume, 512).peaks(2).size(), 2U);
+}
+
+TEST(Histogram, ThresholdsPartClassesOfLeastVariance) {
+    // Ten values: tried one by one against the sums of squares within classes.
+    const std::vector<int> values = {0, 1, 1, 2, 8, 9, 11, 12, 30, 31};
+    const auto volume = makeVolume<std::uint8_t>(gridOf({10, 1, 1}), VoxelType::uint8,
+                                                 [&](glm::ivec3 v) { return values[static_cast<std::size_t>(v.x)]; });
+    const auto squaresWithin = [&](double low, double high) {
+        double count = 0;
+        double sum = 0;
+        double squares = 0;
+        for (const int value : values) {
+            const double inside = value >= low && value < high ? 1 : 0;
+            count += inside;
+            sum += inside * value;
+            squares += inside * value * value;
+        }
+        return count > 0 ? squares - sum * sum / count : 0;
+    };
+    double two = squaresWithin(0, 32);
+    double three = two;
+    for (int t = 1; t < 32; ++t) {
+        two = std::min(two, squaresWithin(0, t) + squaresWithin(t, 32));
+        for (int u = t + 1; u < 32; ++u) {
+            three = std::min(three, squaresWithin(0, t) + squaresWithin(t, u) + squaresWithin(u, 32));
+        }
+    }
+    const Histogram h = computeHistogram(*volume, 31);
+    EXPECT_NEAR(squaresWithin(0, h.otsu()) + squaresWithin(h.otsu(), 32), two, 1e-9);
+    const auto [lower, upper] = h.otsuOfThree();
+    EXPECT_NEAR(squaresWithin(0, lower) + squaresWithin(lower, upper) + squaresWithin(upper, 32), three, 1e-9);
 }
 
 } // namespace
