@@ -100,7 +100,7 @@ struct KernelImportance {
     float unocclusion = 0;
     float lighting = 0;
     float object = 0;
-    float statisticsWeight = 0;
+    float statisticsWeight = 0; ///< of the stored number
     float background = 0;
     float cap = 0;
     float limit = 0;     ///< the cap, and what all importances stay below

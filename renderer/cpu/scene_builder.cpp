@@ -155,7 +155,6 @@ void BuiltScene::setImportance(const RenderPlan& plan) {
     out.unocclusion = number(w.unocclusion);
     out.lighting = number(w.lighting);
     out.object = number(w.object);
-    out.statisticsWeight = number(w.statistics);
     out.background = number(settings.background);
     out.cap = number(settings.cap);
     out.limit = number(std::min(settings.cap, optics::kGreatestImportance));
@@ -181,6 +180,7 @@ void BuiltScene::setImportance(const RenderPlan& plan) {
         out.weightOfSlot = plan.importance->weightOfSlot.data();
     }
     if (plan.importance->statistics) {
+        out.statisticsWeight = number(w.statistics * plan.importance->statistics->contents().slope);
         out.statistics = reinterpret_cast<const std::uint8_t*>(plan.importance->statistics->bricks());
     }
     ahead_.emplace(plan);

@@ -27,7 +27,7 @@ double shareOf(const Lens& lens, double distance, glm::dvec2 point) {
         return soft;
     }
     const auto grain = [&](double at) { return static_cast<int>(std::floor(std::clamp(at / lens.cell, -1e9, 1e9))); };
-    return soft > optics::blueNoise().threshold(grain(point.x), grain(point.y)) ? 1 : 0;
+    return soft > blueNoise().threshold(grain(point.x), grain(point.y)) ? 1 : 0;
 }
 
 /// Beyond this many radii a lens is at most e^-18 of itself: nothing.
