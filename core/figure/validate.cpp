@@ -267,6 +267,7 @@ class Validator {
                 note(item("/styles", i), "no layer uses the style \"" + id + "\"", "");
             }
         }
+        checkObjects();
         const int samples = figure_.quality.samplesPerPixel;
         if (samples != 1 && samples != 4 && samples != 16) {
             fatal("/quality/samples_per_pixel", std::to_string(samples) + " rays do not fill a square",
@@ -274,6 +275,17 @@ class Validator {
         }
         if (figure_.cleanup.empty() && figure_.layers.empty() && !figure_.volume) {
             note("/volume", "the figure names no scan", "open one");
+        }
+    }
+
+    void checkObjects() {
+        if (!figure_.importance || !(figure_.importance->weights.object > 0)) {
+            return;
+        }
+        if (figure_.importance->objects.empty()) {
+            note("/importance/objects", "objects are weighed and none has a weight", "write label and weight");
+        } else if (!figure_.labels) {
+            fatal("/importance/objects", "objects are weighed and the figure has no labels", "give it a label volume");
         }
     }
 

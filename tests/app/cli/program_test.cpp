@@ -251,6 +251,28 @@ TEST_F(WithScan, ExplainKeepsItsNames) {
     EXPECT_GT(f.at("milliseconds").at("estimated").at("total").get<double>(), 0);
 }
 
+TEST_F(WithScan, ExplainsWhatIsSeen) {
+    const ProgramRun r = run({"explain", scan(), "--size", "64x64", "--visibility", "--json", "--set",
+                              "/importance={\"global\": 1, \"weights\": {\"extinction\": 1}}"});
+    ASSERT_EQ(r.code, 0) << r.err;
+    const auto seen = r.facts().at("visibility");
+    const std::size_t weights = seen.at("global_weights").size();
+    EXPECT_EQ(weights, 5U);
+    std::vector<double> sums(weights, 0.0);
+    for (const auto& part : seen.at("parts")) {
+        ASSERT_EQ(part.at("shares").size(), weights);
+        for (std::size_t k = 0; k < weights; ++k) {
+            const std::string kind = part.at("kind");
+            sums[k] += kind == "layer" || kind == "paper" ? part.at("shares")[k].get<double>() : 0;
+        }
+    }
+    for (const double sum : sums) {
+        EXPECT_NEAR(sum, 1, 1e-9);
+    }
+    const ProgramRun text = run({"explain", scan(), "--size", "64x64", "--visibility"});
+    EXPECT_NE(text.out.find("paper"), std::string::npos) << text.out;
+}
+
 TEST_F(WithScan, AProjectIsMadeShownCheckedAndRendered) {
     const ProgramRun made = run({"new", scan(), "-o", path("head.limner"), "--preset", "skull", "--json"});
     ASSERT_EQ(made.code, 0) << made.err;

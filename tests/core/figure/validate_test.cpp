@@ -241,6 +241,16 @@ TEST(Validate, WhatAnAxisNeedsIsSaid) {
     EXPECT_FALSE(hasProblem(point, "/layers/0/transfer/distance/label", false));
 }
 
+TEST(Validate, WeighedObjectsNeedLabels) {
+    Figure figure = soundFigure();
+    figure.importance.emplace().weights.object = 1;
+    EXPECT_TRUE(hasProblem(figure, "/importance/objects", false)) << "no object has a weight";
+    figure.importance->objects = {{1, 2}};
+    EXPECT_TRUE(hasProblem(figure, "/importance/objects", true)) << "no labels";
+    figure.labels.emplace();
+    EXPECT_FALSE(hasProblem(figure, "/importance/objects", true));
+}
+
 TEST(Validate, PartsThatAreNotDrawnAreSaid) {
     const std::pair<const char*, Edit> cases[] = {
         {"/layers/0/transfer", [](Figure& f) { f.layers[0].transfer.axis = "importance"; }},
@@ -251,7 +261,6 @@ TEST(Validate, PartsThatAreNotDrawnAreSaid) {
         {"/layers/0/line_gradient_opacity", [](Figure& f) { f.layers[0].lineGradientOpacity.emplace(); }},
         {"/layers/0/position", [](Figure& f) { f.layers[0].position.emplace(); }},
         {"/layers/0/depth_of_field", [](Figure& f) { f.layers[0].depthOfField.emplace(); }},
-        {"/importance", [](Figure& f) { f.importance.emplace(); }},
         {"/stipple", [](Figure& f) { f.stipple.emplace(); }},
         {"/annotations", [](Figure& f) { f.annotations.emplace_back(); }},
         {"/quality/tolerance", [](Figure& f) { f.quality.tolerance = 0.01; }},

@@ -226,6 +226,27 @@ TEST(Importance, IsThePublishedComposition) {
     }
 }
 
+TEST(Importance, IsTheSameWithExponentials) {
+    std::mt19937 random(11);
+    const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };
+    for (int ray = 0; ray < 2000; ++ray) {
+        ImportanceState<double> state = startOfRay<double>();
+        ExponentialState<double> scaled{0, 1};
+        for (int k = 0; k < 40; ++k) {
+            const double opacity = std::pow(unit(), 4);
+            const double importance = kGreatestImportance * unit() * unit();
+            const double kept = stepOfSample(state, opacity, importance).kept;
+            state = withSample<double>(state, {unit(), unit(), unit()}, opacity, importance);
+            ASSERT_NEAR(keptBehind(scaled, opacity, std::exp(importance)), kept, 1e-11);
+            ASSERT_NEAR(scaled.opacity, state.opacity, 1e-12);
+            ASSERT_NEAR(std::log(scaled.exponential), importanceSoFar(state), 1e-10);
+        }
+        const double background = kGreatestImportance * unit();
+        EXPECT_NEAR(shareBeforeBackground(state, background),
+                    std::min(state.opacity, std::exp(importanceSoFar(state) - background)), 1e-12);
+    }
+}
+
 TEST(Importance, StaysBetweenTheColoursForAnyImportance) {
     std::mt19937 random(2);
     for (const double spread : {1.0, 700.0, 1e6, 1e300}) {
