@@ -2,7 +2,7 @@
 
 #include "app/cli/console.h"
 #include "app/cli/facts.h"
-#include "app/cli/visibility_report.h"
+#include "app/cli/visibility_table.h"
 #include "core/figure/quantity.h"
 #include "renderer/backend_choice.h"
 #include "renderer/export/thread_limit.h"
@@ -63,6 +63,14 @@ Facts explanationFacts(const Explanation& e) {
             {"probe_pixels", {e.probe.x, e.probe.y}},
             {"samples_per_pixel", e.samplesPerPixel},
             {"occupied", e.occupied}};
+}
+
+Facts visibilityFacts(const VisibilityTable& table) {
+    Facts parts = Facts::array();
+    for (const VisibilityTable::Row& row : table.rows) {
+        parts.push_back({{"kind", row.kind}, {"name", row.name}, {"shares", row.shares}});
+    }
+    return {{"pixels", {table.pixels.x, table.pixels.y}}, {"global_weights", table.globalWeights}, {"parts", parts}};
 }
 
 std::string explanationText(const Explanation& e) {
@@ -129,8 +137,9 @@ int ExplainCommand::run(Console& console) {
     Facts facts = explanationFacts(explanation);
     std::string text = explanationText(explanation);
     if (visibility_) {
-        facts["visibility"] = visibilityFacts(document.figure, console.task());
-        text += visibilityText(facts["visibility"]);
+        const VisibilityTable seen = visibilityTable(document.figure, console.task());
+        facts["visibility"] = visibilityFacts(seen);
+        text += visibilityText(seen);
     }
     facts["warnings"] = console.task().warnings();
     if (console.json) {

@@ -176,8 +176,8 @@ void PlanFields::addFields(RenderPlan& plan, Task& task) {
     }
     if (plan.importance && plan.importance->source->weights.statistics > 0) {
         const double sigma = plan.importance->source->statisticsVoxels;
-        plan.importance->statistics = statistics_.get(
-            {plan.volume, sigma}, [&] { return localContrast(*plan.volume, sigma, task); });
+        plan.importance->statistics =
+            statistics_.get({plan.volume, sigma}, [&] { return localContrast(*plan.volume, sigma, task); });
     }
     const auto readsSecond = [](const PlanLayer& layer) { return readsAxis(layer, TransferAxis::second); };
     if (std::any_of(plan.layers.begin(), plan.layers.end(), readsSecond)) {

@@ -1,4 +1,4 @@
-#include "renderer/reference/visibility.h"
+#include "renderer/visibility.h"
 
 #include "support/rendering.h"
 #include "support/transfer_scenes.h"

@@ -1,4 +1,4 @@
-#include "renderer/reference/visibility.h"
+#include "renderer/visibility.h"
 
 #include "core/optics/opacity.h"
 #include "renderer/reference/field.h"
