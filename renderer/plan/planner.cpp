@@ -71,11 +71,15 @@ struct Planner::Cache {
         std::tuple<std::shared_ptr<const Volume>, std::shared_ptr<const Volume>, std::vector<CleanupStep>, double>;
     using VisibleKey = std::tuple<std::shared_ptr<const MinMaxGrid>, double, double, std::vector<std::uint8_t>>;
     using AtlasKey = std::tuple<std::vector<std::shared_ptr<const LitSphere>>, int, AtlasLevels>;
+    /// Importance without what bounds do not depend on.
+    using BricksKey = std::tuple<std::shared_ptr<const SkipGrid>, std::shared_ptr<const Volume>,
+                                 std::shared_ptr<const Volume>, Importance, std::vector<Layer>>;
     using MinMaxKey = std::pair<std::shared_ptr<const Volume>, SampleReach>;
     RecentResults<CleanKey, std::shared_ptr<const Volume>> cleaned;
     RecentResults<MinMaxKey, std::shared_ptr<const MinMaxGrid>> minMax;
     RecentResults<std::shared_ptr<const Volume>, GradientStatistics> gradients;
     RecentResults<VisibleKey, std::shared_ptr<const SkipGrid>> skip;
+    RecentResults<BricksKey, std::shared_ptr<const ImportanceBricks>> bricks;
     RecentResults<AtlasKey, std::shared_ptr<const StyleAtlas>> atlas;
     PlanFields fields;
     std::vector<std::pair<glm::dvec3, std::shared_ptr<const LitSphere>>> plainSpheres;
@@ -143,7 +147,13 @@ void Planner::Cache::addSkipGrid(RenderPlan& plan, const PlanRequest& request) {
     plan.skip =
         skip.get({lowHigh, range.low, range.high, range.visible}, [&] { return computeSkipGrid(*lowHigh, range); });
     if (plan.importance) {
-        plan.importance->bricks = computeImportanceBricks(plan, *lowHigh);
+        Importance bounded = *plan.importance->source;
+        bounded.global = 0;
+        bounded.background = 0;
+        bounded.lenses.clear();
+        plan.importance->bricks =
+            bricks.get({plan.skip, plan.labels, plan.importance->statistics, bounded, plan.figure->layers},
+                       [&] { return computeImportanceBricks(plan, *lowHigh); });
     }
 }
 
