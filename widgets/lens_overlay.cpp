@@ -77,14 +77,20 @@ glm::dvec2 LensOverlay::toSheet(QPointF position) const {
     return {offset.x(), offset.y()};
 }
 
+std::optional<glm::dvec2> LensOverlay::place() const {
+    if (!lens())
+        return std::nullopt;
+    return lensOnSheet(*figure_, *lens());
+}
+
 std::optional<QPointF> LensOverlay::middle() const {
-    const auto place = lens() ? lensOnSheet(*figure_, *lens()) : std::nullopt;
-    return place ? std::optional(toWidget(*place)) : std::nullopt;
+    const auto at = place();
+    return at ? std::optional(toWidget(*at)) : std::nullopt;
 }
 
 std::optional<QPointF> LensOverlay::edge() const {
-    const auto place = lens() ? lensOnSheet(*figure_, *lens()) : std::nullopt;
-    return place ? std::optional(toWidget(*place + edgeOffset(*lens()))) : std::nullopt;
+    const auto at = place();
+    return at ? std::optional(toWidget(*at + edgeOffset(*lens()))) : std::nullopt;
 }
 
 LensOverlay::Drag LensOverlay::handleAt(QPointF position) const {
@@ -95,15 +101,15 @@ LensOverlay::Drag LensOverlay::handleAt(QPointF position) const {
 }
 
 void LensOverlay::paintEvent(QPaintEvent*) {
-    const auto place = lens() ? lensOnSheet(*figure_, *lens()) : std::nullopt;
-    if (!place)
+    const auto at = place();
+    if (!at)
         return;
     constexpr int kCorners = 180;
     QPolygonF outline;
     for (int i = 0; i < kCorners; ++i) {
         const double angle = 2 * std::numbers::pi * i / kCorners;
         const glm::dvec2 direction(std::cos(angle), std::sin(angle));
-        outline << toWidget(*place + direction / lensDistance(*lens(), direction));
+        outline << toWidget(*at + direction / lensDistance(*lens(), direction));
     }
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
@@ -141,8 +147,8 @@ void LensOverlay::mouseMoveEvent(QMouseEvent* event) {
         event->ignore();
         return;
     }
-    const auto place = lens() ? lensOnSheet(*figure_, *lens()) : std::nullopt;
-    if (!place) { // an undo took it away under the pointer
+    const auto at = place();
+    if (!at) { // an undo took it away under the pointer
         drag_ = Drag::none;
         return;
     }
@@ -151,7 +157,7 @@ void LensOverlay::mouseMoveEvent(QMouseEvent* event) {
     if (drag_ == Drag::middle)
         moveTo(to, key_.again("lens/center"), true);
     else
-        resizeTo(lens()->radius * lensDistance(*lens(), to - *place), key_.again("lens/radius"), true);
+        resizeTo(lens()->radius * lensDistance(*lens(), to - *at), key_.again("lens/radius"), true);
 }
 
 void LensOverlay::mouseReleaseEvent(QMouseEvent* event) {
@@ -166,11 +172,10 @@ void LensOverlay::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void LensOverlay::keyPressEvent(QKeyEvent* event) {
-    const auto place = lens() ? lensOnSheet(*figure_, *lens()) : std::nullopt;
     const double step = event->modifiers() & Qt::ShiftModifier ? kFineStepPerKey : kStepPerKey;
     const auto move = [&](double right, double down) {
-        if (place)
-            moveTo(*place + glm::dvec2(right, down), key_.again("lens/center"), false);
+        if (const auto from = place())
+            moveTo(*from + glm::dvec2(right, down), key_.again("lens/center"), false);
     };
     const auto grow = [&](double factor) {
         if (lens())
@@ -201,10 +206,10 @@ bool LensOverlay::eventFilter(QObject* watched, QEvent* event) {
     return QWidget::eventFilter(watched, event);
 }
 
-void LensOverlay::moveTo(const glm::dvec2& place, const std::string& key, bool ongoing) {
+void LensOverlay::moveTo(const glm::dvec2& to, const std::string& key, bool ongoing) {
     const double aspect = sheetAspect(*figure_);
-    const glm::dvec2 legal(std::clamp(place.x, -kFarthest * aspect, kFarthest * aspect),
-                           std::clamp(place.y, -kFarthest, kFarthest));
+    const glm::dvec2 legal(std::clamp(to.x, -kFarthest * aspect, kFarthest * aspect),
+                           std::clamp(to.y, -kFarthest, kFarthest));
     emitLens(lensMovedTo(*figure_, *lens(), legal), tr("Move lens"), key, ongoing);
 }
 

@@ -46,10 +46,12 @@ class LensOverlay : public QWidget {
     enum class Drag { none, middle, edge };
 
     [[nodiscard]] const Lens* lens() const;
+    /// Of its middle, in heights of the figure from the top left corner.
+    [[nodiscard]] std::optional<glm::dvec2> place() const;
     [[nodiscard]] QPointF toWidget(const glm::dvec2& onSheet) const;
     [[nodiscard]] glm::dvec2 toSheet(QPointF position) const;
     [[nodiscard]] Drag handleAt(QPointF position) const;
-    void moveTo(const glm::dvec2& place, const std::string& key, bool ongoing);
+    void moveTo(const glm::dvec2& to, const std::string& key, bool ongoing);
     void resizeTo(double radius, const std::string& key, bool ongoing);
     void removeLens();
     void emitLens(const Lens& changed, const QString& label, const std::string& key, bool ongoing);
