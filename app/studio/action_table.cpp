@@ -33,6 +33,8 @@ constexpr ActionRow kActions[] = {
     {"edit.redo", TEXT("&Redo"), TEXT("Repeat what was taken back"), "Ctrl+Shift+Z", TEXT("Redo")},
     {"edit.-1", "", "", "", ""},
     {"edit.copy-picture", TEXT("&Copy picture"), TEXT("Copy the shown picture to the clipboard"), "Ctrl+Shift+C", ""},
+    {"edit.-2", "", "", "", ""},
+    {"edit.add-lens", TEXT("Add &lens"), TEXT("Add a lens under which what matters shows through"), "Ctrl+L", ""},
     {"view.anterior", TEXT("&Anterior"), TEXT("Look at the patient's front"), "1", TEXT("Front")},
     {"view.posterior", TEXT("&Posterior"), TEXT("Look at the patient's back"), "2", TEXT("Back")},
     {"view.left", TEXT("&Left"), TEXT("Look at the patient's left side"), "3", TEXT("Left")},

@@ -2,9 +2,12 @@
 
 #include "app/studio/welcome_page.h"
 #include "core/figure/figure_json.h"
+#include "widgets/importance_form.h"
 #include "widgets/job.h"
 #include "widgets/label_list.h"
 #include "widgets/layer_list.h"
+#include "widgets/lens_form.h"
+#include "widgets/lens_overlay.h"
 #include "widgets/notice_bar.h"
 #include "widgets/picture_feed.h"
 #include "widgets/preset_menu.h"
@@ -91,6 +94,7 @@ void MainWindow::buildPanels() {
     pages_ = new QStackedWidget;
     welcome_ = new WelcomePage;
     viewport_ = new Viewport;
+    lens_ = new LensOverlay(viewport_);
     notices_ = new NoticeBar;
     pages_->addWidget(welcome_);
     pages_->addWidget(viewport_);
@@ -112,13 +116,17 @@ void MainWindow::buildPanels() {
     stack->addWidget(labels_, 1);
     transfer_ = new TransferEditor1d;
     gallery_ = new StyleGallery;
+    importance_ = new ImportanceForm;
     QDockWidget* gallery = dock(this, "dock.styles", tr("Styles"), gallery_, Qt::LeftDockWidgetArea);
     QDockWidget* layers = dock(this, "dock.layers", tr("Layers"), layersAndLabels, Qt::RightDockWidgetArea);
     QDockWidget* transfer = dock(this, "dock.transfer", tr("Transfer function"), transfer_, Qt::RightDockWidgetArea);
+    importanceDock_ = dock(this, "dock.importance", tr("Importance"), importance_, Qt::RightDockWidgetArea);
+    tabifyDockWidget(transfer, importanceDock_);
+    transfer->raise();
     resizeDocks({gallery, layers}, {kGalleryWidth, kPanelWidth}, Qt::Horizontal);
     resizeDocks({layers, transfer}, {260, 420}, Qt::Vertical);
-    QWidget* const order[] = {viewport_,         gallery_->search(), gallery_->list(),   layers_->list(),
-                              labels_->search(), labels_->list(),    transfer_->canvas()};
+    QWidget* const order[] = {viewport_,         lens_,           gallery_->search(), gallery_->list(), layers_->list(),
+                              labels_->search(), labels_->list(), transfer_->canvas()};
     for (std::size_t i = 1; i < std::size(order); ++i)
         setTabOrder(order[i - 1], order[i]);
 }
@@ -222,6 +230,7 @@ void MainWindow::connectActions() {
     on("view.zoom-out", [this] { viewport_->zoomBy(1 / kZoomStep); });
     on("view.free-turning",
        [this](bool freely) { viewport_->setTurnMode(freely ? TurnMode::trackball : TurnMode::turntable); });
+    on("edit.add-lens", [this] { addLens(); });
     on("background.paper", [this] { choosePaper(); });
     on("background.picture", [this] { chooseBackgroundPicture(); });
     on("help.about", [this] { showAbout(); });
@@ -240,6 +249,14 @@ void MainWindow::connectPanels() {
     connect(labels_, &LabelList::edited, this, apply);
     connect(transfer_, &TransferEditor1d::edited, this, apply);
     connect(gallery_, &StyleGallery::edited, this, apply);
+    connect(importance_, &ImportanceForm::edited, this, apply);
+    connect(lens_, &LensOverlay::edited, this, apply);
+    connect(lens_, &LensOverlay::left, this, [this] { importance_->lenses()->select(std::nullopt); });
+    connect(importance_->lenses(), &LensForm::lensSelected, this, &MainWindow::showLens);
+    connect(importanceDock_, &QDockWidget::visibilityChanged, this, [this](bool seen) {
+        importanceSeen_ = seen; // isVisible would be true behind another tab
+        showLens();
+    });
     connect(viewport_, &Viewport::picturePixelsChanged, this, &MainWindow::wantPicture);
     connect(layers_, &LayerList::layerSelected, this, [this](std::size_t layer) {
         labels_->setFigure(document_->figure(), layer);
@@ -250,6 +267,17 @@ void MainWindow::connectPanels() {
             [this] { gallery_->setFigure(document_->figure(), layers_->selectedLayer(), transfer_->selectedNode()); });
 }
 
+void MainWindow::addLens() {
+    importanceDock_->show();
+    importanceDock_->raise();
+    importance_->lenses()->addLens();
+    lens_->setFocus();
+}
+
+void MainWindow::showLens() {
+    lens_->setFigure(document_->figure(), importanceSeen_ ? importance_->lenses()->selected() : std::nullopt);
+}
+
 void MainWindow::documentChanged() {
     const std::shared_ptr<const Figure> figure = document_->figure();
     const bool any = figure != nullptr;
@@ -257,7 +285,7 @@ void MainWindow::documentChanged() {
     for (const char* id :
          {"file.save", "file.save-as", "file.export", "file.close", "edit.copy-picture", "view.anterior",
           "view.posterior", "view.left", "view.right", "view.superior", "view.inferior", "view.three-quarter",
-          "view.fit", "view.zoom-in", "view.zoom-out", "background.paper", "background.picture"})
+          "view.fit", "view.zoom-in", "view.zoom-out", "background.paper", "background.picture", "edit.add-lens"})
         actions_->at(id)->setEnabled(any);
     const bool drawable = any && figure->volume && figure->volume->data;
     presets_->setEnabled(drawable);
@@ -284,6 +312,8 @@ void MainWindow::documentChanged() {
     transfer_->setFigure(figure, layers_->selectedLayer());
     gallery_->setFigure(figure, layers_->selectedLayer(), transfer_->selectedNode());
     viewport_->setFigure(figure);
+    importance_->setFigure(figure);
+    showLens();
     showTitle();
     wantPicture();
 }

@@ -11,6 +11,7 @@
 #include <functional>
 #include <memory>
 
+class QDockWidget;
 class QLabel;
 class QStackedWidget;
 class QToolBar;
@@ -18,9 +19,11 @@ class QToolButton;
 
 namespace limner {
 
+class ImportanceForm;
 class Job;
 class LabelList;
 class LayerList;
+class LensOverlay;
 class NoticeBar;
 class PictureFeed;
 class PresetMenu;
@@ -70,6 +73,8 @@ class MainWindow : public QMainWindow {
     [[nodiscard]] StyleGallery& gallery() { return *gallery_; }
     [[nodiscard]] LayerList& layers() { return *layers_; }
     [[nodiscard]] LabelList& labels() { return *labels_; }
+    [[nodiscard]] ImportanceForm& importance() { return *importance_; }
+    [[nodiscard]] LensOverlay& lensOverlay() { return *lens_; }
     [[nodiscard]] NoticeBar& notices() { return *notices_; }
     /// Whether a job of the window (import, labels, save, export, preset, theme, background) is under way.
     [[nodiscard]] bool busy() const;
@@ -98,6 +103,9 @@ class MainWindow : public QMainWindow {
     void connectActions();
     void connectPanels();
     void loadResources();
+    void addLens();
+    /// The lens that is chosen in the panel, over the picture while the panel is seen.
+    void showLens();
 
     void documentChanged();
     void showTitle();
@@ -137,6 +145,10 @@ class MainWindow : public QMainWindow {
     LabelList* labels_;
     TransferEditor1d* transfer_;
     StyleGallery* gallery_;
+    ImportanceForm* importance_;
+    QDockWidget* importanceDock_;
+    bool importanceSeen_ = false;
+    LensOverlay* lens_;
     PresetMenu* presets_;
     ThemeMenu* themes_;
     QToolButton* presetButton_ = nullptr;

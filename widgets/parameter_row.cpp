@@ -1,0 +1,96 @@
+#include "widgets/parameter_row.h"
+
+#include "core/figure/parameters.h"
+
+#include <QDoubleSpinBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <QSlider>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+namespace limner {
+namespace {
+
+constexpr int kSteps = 200; // of the slider: half a percent each
+
+} // namespace
+
+ParameterRow::ParameterRow(std::string pointer, const Useful& useful, QWidget* parent)
+    : QWidget(parent), pointer_(std::move(pointer)), parameter_(findParameter(pointer_)), useful_(useful),
+      slider_(new QSlider(Qt::Horizontal)), box_(new QDoubleSpinBox) {
+    assert(parameter_);
+    const QString tip = QString::fromStdString(parameter_->help);
+    slider_->setRange(0, kSteps);
+    slider_->setPageStep(kSteps / 10);
+    slider_->setAccessibleName(label());
+    slider_->setToolTip(tip);
+    slider_->setFocusPolicy(Qt::StrongFocus);
+    slider_->installEventFilter(this);
+    const double least = std::pow(10.0, -useful.decimals);
+    const double low = parameter_->low.value_or(useful.low);
+    box_->setDecimals(useful.decimals);
+    box_->setRange(parameter_->lowExcluded ? low + least : low, parameter_->high.value_or(useful.high));
+    box_->setSingleStep((useful.high - useful.low) / 100);
+    box_->setKeyboardTracking(false);
+    box_->setAccessibleName(tr("%1, number").arg(label()));
+    box_->setToolTip(tip);
+    box_->setFocusPolicy(Qt::StrongFocus);
+    box_->installEventFilter(this);
+    constexpr int kBoxWidth = 88; // legal ranges reach 100000; that is no reason to take the slider's room
+    box_->setFixedWidth(kBoxWidth);
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(6);
+    layout->addWidget(slider_, 1);
+    layout->addWidget(box_);
+    setFocusProxy(slider_);
+    connectParts();
+}
+
+void ParameterRow::connectParts() {
+    connect(slider_, &QSlider::sliderPressed, this, [this] {
+        dragged_ = false;
+        key_.begin(pointer_);
+    });
+    connect(slider_, &QSlider::valueChanged, this, [this] {
+        dragged_ = slider_->isSliderDown();
+        Q_EMIT changed(sliderValue(), key_.again(pointer_), slider_->isSliderDown());
+    });
+    connect(slider_, &QSlider::sliderReleased, this, [this] {
+        if (std::exchange(dragged_, false))
+            Q_EMIT changed(sliderValue(), key_.again(pointer_), false);
+    });
+    connect(box_, &QDoubleSpinBox::valueChanged, this,
+            [this](double value) { Q_EMIT changed(value, key_.again(pointer_), false); });
+}
+
+QString ParameterRow::label() const { return QString::fromStdString(parameter_->label); }
+
+double ParameterRow::sliderValue() const {
+    const double value = useful_.low + (useful_.high - useful_.low) * slider_->value() / kSteps;
+    return std::clamp(value, box_->minimum(), box_->maximum());
+}
+
+void ParameterRow::setValue(double value) {
+    const QSignalBlocker quiet[] = {QSignalBlocker(slider_), QSignalBlocker(box_)};
+    const double share = std::clamp((value - useful_.low) / (useful_.high - useful_.low), 0.0, 1.0);
+    if (!slider_->isSliderDown())
+        slider_->setValue(static_cast<int>(std::lround(share * kSteps)));
+    box_->setValue(value);
+}
+
+bool ParameterRow::eventFilter(QObject* watched, QEvent* event) {
+    // A wheel that scrolls the panel must not change what happens to pass under the pointer.
+    if (event->type() == QEvent::Wheel && !static_cast<QWidget*>(watched)->hasFocus()) {
+        event->ignore();
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+} // namespace limner
