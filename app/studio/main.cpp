@@ -4,7 +4,26 @@
 #include <QApplication>
 #include <QCommandLineParser>
 
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+
+namespace {
+
+/// Whether only text is asked for, which needs no display.
+bool asksForText(int argc, char** argv) {
+    constexpr std::string_view kText[] = {"-h", "--help", "--help-all", "-v", "--version"};
+    return std::any_of(argv + 1, argv + argc, [&](const char* argument) {
+        return std::find(std::begin(kText), std::end(kText), argument) != std::end(kText);
+    });
+}
+
+} // namespace
+
 int main(int argc, char** argv) {
+    if (asksForText(argc, argv)) {
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    }
     QApplication application(argc, argv);
     QApplication::setOrganizationName("Limner");
     QApplication::setApplicationName("limner-studio");
