@@ -5,6 +5,9 @@
 #include <QDoubleSpinBox>
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QImage>
+#include <QLabel>
+#include <QPixmap>
 #include <QSignalBlocker>
 #include <QSlider>
 
@@ -22,7 +25,7 @@ constexpr int kSteps = 200; // of the slider: half a percent each
 
 ParameterRow::ParameterRow(std::string pointer, const Useful& useful, QWidget* parent)
     : QWidget(parent), pointer_(std::move(pointer)), parameter_(findParameter(pointer_)), useful_(useful),
-      slider_(new QSlider(Qt::Horizontal)), box_(new QDoubleSpinBox) {
+      slider_(new QSlider(Qt::Horizontal)), box_(new QDoubleSpinBox), picture_(new QLabel) {
     assert(parameter_);
     const QString tip = QString::fromStdString(parameter_->help);
     slider_->setRange(0, kSteps);
@@ -46,8 +49,11 @@ ParameterRow::ParameterRow(std::string pointer, const Useful& useful, QWidget* p
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(6);
+    layout->addWidget(picture_);
     layout->addWidget(slider_, 1);
     layout->addWidget(box_);
+    picture_->setToolTip(tip);
+    picture_->hide();
     setFocusProxy(slider_);
     connectParts();
 }
@@ -70,6 +76,11 @@ void ParameterRow::connectParts() {
 }
 
 QString ParameterRow::label() const { return QString::fromStdString(parameter_->label); }
+
+void ParameterRow::setPicture(const QImage& picture) {
+    picture_->setPixmap(QPixmap::fromImage(picture));
+    picture_->setVisible(!picture.isNull());
+}
 
 double ParameterRow::sliderValue() const {
     const double value = useful_.low + (useful_.high - useful_.low) * slider_->value() / kSteps;

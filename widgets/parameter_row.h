@@ -7,6 +7,8 @@
 #include <string>
 
 class QDoubleSpinBox;
+class QImage;
+class QLabel;
 class QSlider;
 
 namespace limner {
@@ -34,6 +36,9 @@ class ParameterRow : public QWidget {
     [[nodiscard]] QString label() const;
     [[nodiscard]] QSlider* slider() const { return slider_; }
     [[nodiscard]] QDoubleSpinBox* box() const { return box_; }
+    /// A small picture of what the number does, before the slider; none at first.
+    void setPicture(const QImage& picture);
+    [[nodiscard]] QLabel* picture() const { return picture_; }
 
   Q_SIGNALS:
     /// `key`: one per drag and per run of key presses. The last of a drag is not ongoing.
@@ -51,6 +56,7 @@ class ParameterRow : public QWidget {
     Useful useful_;
     QSlider* slider_;
     QDoubleSpinBox* box_;
+    QLabel* picture_;
     GestureKey key_;
     bool dragged_ = false; ///< a press alone must not round the value to the slider's steps
 };

@@ -25,6 +25,7 @@
 #include <QMenuBar>
 #include <QStackedWidget>
 #include <QStatusBar>
+#include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -117,6 +118,8 @@ void MainWindow::buildPanels() {
     transfer_ = new TransferEditor1d;
     gallery_ = new StyleGallery;
     importance_ = new ImportanceForm;
+    measuresRest_ = new QTimer(this);
+    measuresRest_->setSingleShot(true);
     QDockWidget* gallery = dock(this, "dock.styles", tr("Styles"), gallery_, Qt::LeftDockWidgetArea);
     QDockWidget* layers = dock(this, "dock.layers", tr("Layers"), layersAndLabels, Qt::RightDockWidgetArea);
     QDockWidget* transfer = dock(this, "dock.transfer", tr("Transfer function"), transfer_, Qt::RightDockWidgetArea);
@@ -256,7 +259,9 @@ void MainWindow::connectPanels() {
     connect(importanceDock_, &QDockWidget::visibilityChanged, this, [this](bool seen) {
         importanceSeen_ = seen; // isVisible would be true behind another tab
         showLens();
+        wantMeasures();
     });
+    connect(measuresRest_, &QTimer::timeout, this, &MainWindow::pictureMeasures);
     connect(viewport_, &Viewport::picturePixelsChanged, this, &MainWindow::wantPicture);
     connect(layers_, &LayerList::layerSelected, this, [this](std::size_t layer) {
         labels_->setFigure(document_->figure(), layer);
@@ -265,17 +270,6 @@ void MainWindow::connectPanels() {
     });
     connect(transfer_, &TransferEditor1d::selectionChanged, this,
             [this] { gallery_->setFigure(document_->figure(), layers_->selectedLayer(), transfer_->selectedNode()); });
-}
-
-void MainWindow::addLens() {
-    importanceDock_->show();
-    importanceDock_->raise();
-    importance_->lenses()->addLens();
-    lens_->setFocus();
-}
-
-void MainWindow::showLens() {
-    lens_->setFigure(document_->figure(), importanceSeen_ ? importance_->lenses()->selected() : std::nullopt);
 }
 
 void MainWindow::documentChanged() {
@@ -353,6 +347,8 @@ void MainWindow::pictureArrived(const ScreenPicture& picture) {
     progress_->show({}, 1);
     viewport_->setPicture(picture);
     showFacts(picture);
+    if (picture.facts.final)
+        wantMeasures();
 }
 
 void MainWindow::showFacts(const ScreenPicture& picture) {

@@ -15,6 +15,7 @@ class QDockWidget;
 class QLabel;
 class QStackedWidget;
 class QToolBar;
+class QTimer;
 class QToolButton;
 
 namespace limner {
@@ -106,6 +107,9 @@ class MainWindow : public QMainWindow {
     void addLens();
     /// The lens that is chosen in the panel, over the picture while the panel is seen.
     void showLens();
+    /// Small pictures of the measures, once the panel is seen and the figure has rested.
+    void wantMeasures();
+    void pictureMeasures();
 
     void documentChanged();
     void showTitle();
@@ -148,6 +152,8 @@ class MainWindow : public QMainWindow {
     ImportanceForm* importance_;
     QDockWidget* importanceDock_;
     bool importanceSeen_ = false;
+    QTimer* measuresRest_;
+    std::shared_ptr<const Figure> measured_; ///< what the small pictures show
     LensOverlay* lens_;
     PresetMenu* presets_;
     ThemeMenu* themes_;
@@ -156,7 +162,7 @@ class MainWindow : public QMainWindow {
     QMenu* recent_;
     ProgressStrip* progress_;
     QLabel* facts_;
-    QPointer<Job> openJob_, saveJob_, exportJob_, lookJob_, labelJob_, backgroundJob_, resourceJob_;
+    QPointer<Job> openJob_, saveJob_, exportJob_, lookJob_, labelJob_, backgroundJob_, resourceJob_, measuresJob_;
     std::shared_ptr<const Figure> wanted_; ///< what the newest request to the feed shows
     QSize wantedPixels_;
     bool wantedDraft_ = false;

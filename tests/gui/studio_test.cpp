@@ -8,9 +8,12 @@
 #include "support/make_volume.h"
 #include "support/qt/qt_events.h"
 #include "support/test_data.h"
+#include "widgets/importance_form.h"
 #include "widgets/label_list.h"
 #include "widgets/layer_list.h"
+#include "widgets/lens_overlay.h"
 #include "widgets/notice_bar.h"
+#include "widgets/parameter_row.h"
 #include "widgets/style_gallery.h"
 #include "widgets/transfer_editor_1d.h"
 #include "widgets/viewport.h"
@@ -19,6 +22,7 @@
 
 #include <QClipboard>
 #include <QDropEvent>
+#include <QLabel>
 #include <QListWidget>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -423,6 +427,22 @@ TEST(Studio, ClosingAsksOnlyForChanges) {
     studio.trigger("edit.undo");
     EXPECT_TRUE(studio.window->close()) << "undone is unchanged";
     EXPECT_EQ(asked, 1);
+}
+
+TEST(Studio, TheImportancePanelShowsWhatEachMeasureDoes) {
+    Studio studio;
+    studio.window->openSample();
+    ASSERT_TRUE(pumpUntil([&] { return studio.hasFinal(); }));
+    ParameterRow* gradient = studio.window->importance().row("/importance/weights/gradient");
+    EXPECT_TRUE(gradient->picture()->pixmap().isNull());
+    studio.window->actions().at("edit.add-lens")->trigger(); // raises the panel
+    ASSERT_TRUE(pumpUntil([&] { return !gradient->picture()->pixmap().isNull(); }));
+    const QImage first = gradient->picture()->pixmap().toImage();
+    EXPECT_NE(first, studio.window->importance().row("/importance/weights/extinction")->picture()->pixmap().toImage());
+    EXPECT_TRUE(studio.window->importance().row("/importance/global")->picture()->pixmap().isNull());
+    ASSERT_TRUE(studio.figure().importance);
+    EXPECT_EQ(studio.figure().importance->lenses.size(), 1U);
+    EXPECT_TRUE(studio.window->lensOverlay().isVisible());
 }
 
 TEST(Studio, TheShownPictureCanBeCopied) {
