@@ -61,6 +61,7 @@ std::vector<std::pair<std::string, QImage>> measurePictures(const RenderPlan& sh
     Planner planner;
     PlanRequest request;
     request.size = {edgePixels, edgePixels};
+    request.subPixels = 2;
     const auto backend = makeCpuBackend();
     std::vector<std::pair<std::string, QImage>> pictures;
     for (const Measure& measure : kMeasures) {
