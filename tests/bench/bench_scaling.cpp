@@ -217,11 +217,4 @@ int runAll(int argc, char** argv) {
 } // namespace
 } // namespace limner::bench
 
-int main(int argc, char** argv) {
-    try {
-        return limner::bench::runAll(argc, argv);
-    } catch (const std::exception& error) {
-        std::cerr << error.what() << '\n';
-        return 1;
-    }
-}
+int main(int argc, char** argv) { return limner::bench::runBench(limner::bench::runAll, argc, argv); }

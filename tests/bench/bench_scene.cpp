@@ -332,6 +332,15 @@ std::string number(double value, int decimals) {
     return out.str();
 }
 
+int runBench(int (*run)(int, char**), int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const std::exception& error) {
+        std::cerr << error.what() << '\n';
+        return 1;
+    }
+}
+
 std::string option(int argc, char** argv, const std::string& name, const std::string& fallback) {
     for (int i = 1; i + 1 < argc; ++i) {
         if (argv[i] == "--" + name) {

@@ -130,6 +130,9 @@ void printRow(const std::vector<std::string>& cells);
 /// `value` with `decimals` places.
 std::string number(double value, int decimals = 0);
 
+/// A benchmark's `main`: what `run` throws is one line on stderr and exit code 1.
+int runBench(int (*run)(int, char**), int argc, char** argv);
+
 /// The value behind `--name` on the command line, or `fallback`.
 std::string option(int argc, char** argv, const std::string& name, const std::string& fallback);
 
