@@ -1,6 +1,7 @@
 #include "renderer/visibility.h"
 
 #include "core/optics/opacity.h"
+#include "renderer/plan/plan_importance.h"
 #include "renderer/reference/field.h"
 #include "renderer/reference/importance.h"
 
@@ -64,11 +65,8 @@ class VisibilityRays {
             return;
         }
         std::optional<reference::ImportanceRay> weighed;
-        if (plan_.importance) {
-            const double factor = lensFactor(plan_.importance->lenses, place / static_cast<double>(plan_.size.y));
-            if (factor > 0) {
-                weighed.emplace(plan_, *ray, plan_.importance->source->global * factor);
-            }
+        if (const double weight = globalWeightAt(plan_, place); weight > 0) {
+            weighed.emplace(plan_, *ray, weight);
         }
         double opacity = 0;
         std::vector<Part> parts;

@@ -1,5 +1,6 @@
 #include "renderer/backend.h"
 #include "renderer/cpu/scene_builder.h"
+#include "renderer/plan/plan_importance.h"
 
 #include <tbb/parallel_for.h>
 
@@ -50,8 +51,7 @@ struct BlockImportance {
         }
         for (int i = 0; i < KernelBlock::kSize * KernelBlock::kSize; ++i) {
             const glm::dvec2 middle(i % KernelBlock::kSize + 0.5, i / KernelBlock::kSize + 0.5);
-            weights[i] = static_cast<float>(plan.importance->source->global *
-                                            lensFactor(lenses, (corner + middle) * perPixel * perFigure));
+            weights[i] = static_cast<float>(globalWeightAt(plan, (corner + middle) * perPixel));
         }
         block.weights = weights;
     }

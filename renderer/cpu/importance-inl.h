@@ -179,7 +179,7 @@ class ImportanceComposer {
             out.depth = hn::Min(depth, splat(1e6F));
             return;
         }
-        const Floats total = hn::Min(optics::totalImportance(factor, sum).v, splat(settings_.cap));
+        const Floats total = hn::Min(optics::totalImportance(factor, sum).v, splat(settings_.limit));
         out.exponential = exp(Lanes{hn::Mul(total, gate.v)}).v;
     }
 

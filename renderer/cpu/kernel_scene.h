@@ -102,8 +102,7 @@ struct KernelImportance {
     float object = 0;
     float statisticsWeight = 0; ///< of the stored number
     float background = 0;
-    float cap = 0;
-    float limit = 0;     ///< the cap, and what all importances stay below
+    float limit = 0;     ///< the cap, no more than what all importances stay below
     float layerMost = 0; ///< greatest weight of a layer
     float noiseFloor = 0;
     float intensityScale = 1; ///< of table entries

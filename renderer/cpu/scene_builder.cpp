@@ -156,7 +156,6 @@ void BuiltScene::setImportance(const RenderPlan& plan) {
     out.lighting = number(w.lighting);
     out.object = number(w.object);
     out.background = number(settings.background);
-    out.cap = number(settings.cap);
     out.limit = number(std::min(settings.cap, optics::kGreatestImportance));
     out.noiseFloor = number(settings.noiseFloor);
     const ValueRange& intensity = plan.importance->intensity;

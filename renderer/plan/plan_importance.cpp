@@ -43,6 +43,12 @@ std::optional<PlanImportance> planImportance(const RenderPlan& plan) {
     return importance;
 }
 
+double globalWeightAt(const RenderPlan& plan, glm::dvec2 place) {
+    return plan.importance ? plan.importance->source->global *
+                                 lensFactor(plan.importance->lenses, place / static_cast<double>(plan.size.y))
+                           : 0;
+}
+
 bool readsNormal(const RenderPlan& plan) {
     return std::any_of(plan.layers.begin(), plan.layers.end(), [](const auto& layer) { return readsNormal(layer); }) ||
            (plan.importance && readsNormal(*plan.importance->source));

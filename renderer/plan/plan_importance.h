@@ -11,6 +11,10 @@ namespace limner {
 /// and rays.
 std::optional<PlanImportance> planImportance(const RenderPlan& plan);
 
+/// The figure's global weight at a place of the picture, in pixels, its lenses counted; 0 for a plan without
+/// importance: there the ordinary composition holds.
+double globalWeightAt(const RenderPlan& plan, glm::dvec2 place);
+
 /// Whether the samples' importance is measured on gradients.
 bool readsNormal(const Importance& importance);
 /// Whether labelled objects matter.

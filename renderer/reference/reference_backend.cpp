@@ -1,5 +1,6 @@
 #include "core/optics/opacity.h"
 #include "renderer/backend.h"
+#include "renderer/plan/plan_importance.h"
 #include "renderer/reference/field.h"
 #include "renderer/reference/importance.h"
 #include "renderer/reference/layer_optics.h"
@@ -36,7 +37,7 @@ class Marcher {
             const glm::dvec2 inside((sub % n + 0.5) / n, (sub / n + 0.5) / n);
             const glm::dvec2 place = glm::dvec2(at) + inside;
             if (const auto ray = reference::rayThrough(plan_, place)) {
-                const double weight = importanceAt(place);
+                const double weight = globalWeightAt(plan_, place);
                 const Gathered one = weight > 0 ? marchByImportance(*ray, weight, counts) : march(*ray, counts);
                 sum = {sum.r + one.r, sum.g + one.g, sum.b + one.b, sum.a + one.a};
             }
@@ -46,13 +47,6 @@ class Marcher {
     }
 
   private:
-    /// Global weight of importance at a place in pixels.
-    [[nodiscard]] double importanceAt(glm::dvec2 place) const {
-        return plan_.importance ? plan_.importance->source->global *
-                                      lensFactor(plan_.importance->lenses, place / static_cast<double>(plan_.size.y))
-                                : 0;
-    }
-
     Gathered march(const reference::Ray& ray, Counts& counts) const {
         Gathered gathered{0, 0, 0, 0};
         const reference::SampleSpan span = reference::samplesOf(ray, plan_.lattice);

@@ -156,7 +156,7 @@ TEST_P(ImportanceOnBackends, ExtremesStaySound) {
     }
 }
 
-TEST(ImportanceEnd, KeepsTheToleranceAndSavesSamples) {
+TEST(ImportanceEnd, KeepsTheTolerance) {
     const auto backend = makeCpuBackend();
     for (const char* name : {"importanceIntensity", "importanceExtinction", "importanceUnocclusion", "importanceObject",
                              "importanceStatistics", "importanceBackground"}) {
@@ -191,7 +191,7 @@ TEST(ImportanceEnd, ComesWhereWhatIsInFrontMattersMost) {
     EXPECT_LE(samples(0.05), samples(0.01));
 }
 
-TEST(ImportanceBricksOfPlans, BoundWhatTheReferenceMeasures) {
+TEST(ImportanceBricksOfPlans, SumTheGreatestOfTheirMeasures) {
     const auto plan = [](const char* name) {
         PlanRequest request;
         request.size = {48, 48};
