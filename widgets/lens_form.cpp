@@ -107,7 +107,9 @@ void LensForm::buildRows(QFormLayout* form) {
     };
     add("/importance/lenses/*/radius", {0, 0.6, 3}, [](Lens& lens) -> double& { return lens.radius; });
     add("/importance/lenses/*/aspect", {0.2, 4, 2}, [](Lens& lens) -> double& { return lens.aspect; });
+    add("/importance/lenses/*/angle_deg", {-90, 90, 0}, [](Lens& lens) -> double& { return lens.angleDeg; });
     add("/importance/lenses/*/soft", {0, 1, 2}, [](Lens& lens) -> double& { return lens.soft; });
+    add("/importance/lenses/*/cell", {0.001, 0.02, 4}, [](Lens& lens) -> double& { return lens.cell; });
     add("/importance/lenses/*/inside", {0, 2, 2}, [](Lens& lens) -> double& { return lens.inside; });
     add("/importance/lenses/*/outside", {0, 2, 2}, [](Lens& lens) -> double& { return lens.outside; });
     form->addRow(QString(), follows_);
@@ -170,7 +172,9 @@ void LensForm::showLens() {
     for (const Entry& entry : rows_)
         entry.row->setValue(entry.of(lens));
     row("/importance/lenses/*/soft")->setEnabled(lens.kind == "circular"); // the others fade by themselves
-    row("/importance/lenses/*/aspect")->setEnabled(lens.shape != "circle");
+    row("/importance/lenses/*/cell")->setEnabled(lens.kind == "screendoor");
+    for (const char* oblong : {"/importance/lenses/*/aspect", "/importance/lenses/*/angle_deg"})
+        row(oblong)->setEnabled(lens.shape != "circle");
     follows_->setChecked(lens.anchorMm.has_value());
 }
 

@@ -141,6 +141,13 @@ TEST(LensForm, TheChosenLensIsEdited) {
     EXPECT_EQ(panel.lens(0).soft, 0.25);
     EXPECT_EQ(panel.lens(0).inside, 3);
     EXPECT_EQ(panel.lens(0).outside, 0.5);
+    EXPECT_FALSE(lenses.row("/importance/lenses/*/cell")->isEnabled()) << "no screen, no dots";
+    lenses.kind()->setCurrentIndex(lenses.kind()->findData("screendoor"));
+    Q_EMIT lenses.kind()->activated(lenses.kind()->currentIndex());
+    lenses.row("/importance/lenses/*/cell")->box()->setValue(0.0025);
+    lenses.row("/importance/lenses/*/angle_deg")->box()->setValue(30);
+    EXPECT_EQ(panel.lens(0).cell, 0.0025);
+    EXPECT_EQ(panel.lens(0).angleDeg, 30);
     lenses.follows()->click();
     ASSERT_TRUE(panel.lens(0).anchorMm);
     EXPECT_EQ(*panel.lens(0).anchorMm, panel.history.current()->camera.targetMm) << "it is in the middle";
