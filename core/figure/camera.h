@@ -3,6 +3,7 @@
 #include <glm/vec3.hpp>
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace limner {
@@ -35,9 +36,18 @@ struct BoxMm {
     friend bool operator==(const BoxMm&, const BoxMm&) = default;
 };
 
+/// How the faces of a cut are drawn: flat, by the cut's own normal, in a style or a colour, or in what the transfer
+/// functions give where neither is named.
+struct CutFace {
+    std::string style;
+    std::optional<glm::dvec3> rgb;
+    friend bool operator==(const CutFace&, const CutFace&) = default;
+};
+
 struct Clip {
     std::optional<BoxMm> boxMm; ///< JSON: [[x, y, z], [x, y, z]]; what is outside is cut away
     std::vector<ClipPlane> planes;
+    std::optional<CutFace> face = {}; ///< absent: cuts show the data's own, noisy directions
     friend bool operator==(const Clip&, const Clip&) = default;
 };
 

@@ -20,6 +20,8 @@ std::span<const Field> fieldsOf<ClipPlane>();
 template <>
 std::span<const Field> fieldsOf<Clip>();
 template <>
+std::span<const Field> fieldsOf<CutFace>();
+template <>
 std::span<const Field> fieldsOf<CleanupStep>();
 template <>
 std::span<const Field> fieldsOf<StyleEntry>();
@@ -44,6 +46,8 @@ std::span<const Field> fieldsOf<Silhouette>();
 template <>
 std::span<const Field> fieldsOf<Specular>();
 template <>
+std::span<const Field> fieldsOf<PhongLight>();
+template <>
 std::span<const Field> fieldsOf<RampKey>();
 template <>
 std::span<const Field> fieldsOf<PositionRamp>();
@@ -63,6 +67,14 @@ template <>
 std::span<const Field> fieldsOf<ObjectImportance>();
 template <>
 std::span<const Field> fieldsOf<Importance>();
+template <>
+std::span<const Field> fieldsOf<AmbientOcclusion>();
+template <>
+std::span<const Field> fieldsOf<ContactShadow>();
+template <>
+std::span<const Field> fieldsOf<Halo>();
+template <>
+std::span<const Field> fieldsOf<DepthCues>();
 template <>
 std::span<const Field> fieldsOf<StippleBoundary>();
 template <>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/figure/layer.h"
+
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -9,7 +11,7 @@
 
 namespace limner {
 
-/// Parts of a figure that act on all layers: importance with its lenses, and stippling.
+/// Parts of a figure that act on all layers: importance with its lenses, depth cues, and stippling.
 
 struct ImportanceWeights {
     double intensity = 0;
@@ -74,6 +76,39 @@ struct Importance {
     double cap = 8;           ///< no sample is more important: e^-8 of opacity is the least that shows through
     double noiseFloor = 0.02; ///< extinction per voxel below which a sample matters to nobody
     friend bool operator==(const Importance&, const Importance&) = default;
+};
+
+/// Matter around a place takes its light away (local ambient occlusion).
+struct AmbientOcclusion {
+    double strength = 0.6;
+    double reachMm = 12; ///< where what is around counts 1/e
+    friend bool operator==(const AmbientOcclusion&, const AmbientOcclusion&) = default;
+};
+
+/// A soft shadow where one thing lies close to another.
+struct ContactShadow {
+    Light light;
+    double strength = 0.5;
+    double reachMm = 20;
+    double softDeg = 20; ///< half angle of the light
+    friend bool operator==(const ContactShadow&, const ContactShadow&) = default;
+};
+
+/// A seam around what is in front, over what lies behind it: the deeper, the stronger.
+struct Halo {
+    glm::dvec3 rgb{0};
+    double strength = 0.7;
+    double widthMm = 1.5; ///< on paper, behind at `depthMm`
+    double depthMm = 20;  ///< how far behind the halo is whole
+    friend bool operator==(const Halo&, const Halo&) = default;
+};
+
+/// What helps the eye with depth, over all layers.
+struct DepthCues {
+    std::optional<AmbientOcclusion> ambientOcclusion;
+    std::optional<ContactShadow> shadow;
+    std::optional<Halo> halo;
+    friend bool operator==(const DepthCues&, const DepthCues&) = default;
 };
 
 struct StippleBoundary {

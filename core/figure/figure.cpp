@@ -19,4 +19,9 @@ const StyleEntry* Figure::findStyle(const std::string& id) const {
     return entry == styles.end() ? nullptr : &*entry;
 }
 
+bool Figure::draws(const Layer& layer) const {
+    const bool soloed = std::any_of(layers.begin(), layers.end(), [](const Layer& l) { return l.visible && l.solo; });
+    return layer.visible && (layer.solo || !soloed);
+}
+
 } // namespace limner

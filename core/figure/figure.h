@@ -122,12 +122,17 @@ enum class GradientEstimator { automatic, central, sobel, neumann, fourthOrder, 
 /// steer, which rounds what is finer than a voxel. `automatic`: smooth for thick slices, else linear.
 enum class Interpolation { automatic, linear, tricubic, smooth };
 
+/// How voxels are kept while drawing. `eightBits`: by the 256 levels that fit the scan best (Lloyd-Max), for scans that
+/// would not fit otherwise.
+enum class VoxelPrecision { full, eightBits };
+
 struct Quality {
     double stepVoxels = 0.5; ///< of the smallest spacing
     GradientEstimator gradient = GradientEstimator::central;
     Interpolation interpolation = Interpolation::linear;
     double earlyTermination = 0.001; ///< a ray ends where its transmittance is below this
     int samplesPerPixel = 1;         ///< 1, 4 or 16, on a regular grid
+    VoxelPrecision precision = VoxelPrecision::full;
     std::optional<double> tolerance;
     friend bool operator==(const Quality&, const Quality&) = default;
 };
@@ -146,6 +151,7 @@ struct Figure {
     std::vector<StyleEntry> styles;
     std::vector<Layer> layers;
     std::optional<Importance> importance;
+    std::optional<DepthCues> depthCues;
     std::optional<Stipple> stipple;
     Background background;
     std::vector<Annotation> annotations;
@@ -155,6 +161,8 @@ struct Figure {
     friend bool operator==(const Figure&, const Figure&) = default;
 
     [[nodiscard]] const StyleEntry* findStyle(const std::string& id) const;
+    /// Whether a layer of this figure is drawn: it is visible, and solo where any layer is.
+    [[nodiscard]] bool draws(const Layer& layer) const;
 };
 
 } // namespace limner

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/figure/camera.h"
+
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -113,7 +115,14 @@ struct Silhouette {
     friend bool operator==(const Silhouette&, const Silhouette&) = default;
 };
 
-/// Phong's terms; the head light sits at the eye.
+/// Phong's shares of ambient and diffuse light; the head light sits at the eye.
+struct PhongLight {
+    double ambient = 0.1;
+    double diffuse = 0.7;
+    friend bool operator==(const PhongLight&, const PhongLight&) = default;
+};
+
+/// Phong's highlight, or one on any other shading, under the light of the layer's tone.
 struct Specular {
     double strength = 0.2;
     double exponent = 10;
@@ -127,8 +136,9 @@ struct RampKey {
 };
 
 struct PositionRamp {
-    std::string axis = "view";
+    std::string axis = "view"; ///< view, x, y, z, direction; 0 and 1 are the ends of the scan's box
     std::vector<RampKey> ramp;
+    glm::dvec3 direction{0, 0, 1}; ///< axis "direction": in patient coordinates
     friend bool operator==(const PositionRamp&, const PositionRamp&) = default;
 };
 
@@ -141,7 +151,9 @@ struct DepthOfField {
 struct Layer {
     std::string name;
     bool visible = true;
-    double opacity = 1; ///< multiplies the transfer function's
+    bool solo = false;   ///< where any layer has it, the others are not drawn
+    bool locked = false; ///< the studio leaves it as it is
+    double opacity = 1;  ///< multiplies the transfer function's
     Transfer transfer;
     Shading shading = Shading::style;
     bool twoSided = true;
@@ -155,6 +167,8 @@ struct Layer {
     std::optional<PositionRamp> position;
     std::optional<DepthOfField> depthOfField;
     std::optional<std::vector<int>> labels; ///< only these labels show
+    std::optional<PhongLight> phong = {};
+    std::optional<Clip> clip = {}; ///< of this layer alone, beside the figure's
     double importanceWeight = 1;
     friend bool operator==(const Layer&, const Layer&) = default;
 };

@@ -144,6 +144,22 @@ std::span<const Field> fieldsOf<ClipPlane>() {
 }
 
 template <>
+std::span<const Field> fieldsOf<CutFace>() {
+    using T = CutFace;
+    static const Field fields[] = {
+        field<&T::style>("style", {.label = "Style", .help = "Style of the cut.", .cost = kPlan, .omitDefault = true}),
+        field<&T::rgb>("rgb", {.label = "Colour",
+                               .help = "Plain colour of the cut.",
+                               .cost = kPlan,
+                               .unit = "sRGB",
+                               .low = 0,
+                               .high = 1,
+                               .omitDefault = true}),
+    };
+    return fields;
+}
+
+template <>
 std::span<const Field> fieldsOf<Clip>() {
     using T = Clip;
     static const Field fields[] = {
@@ -157,6 +173,10 @@ std::span<const Field> fieldsOf<Clip>() {
                                      .help = "Half spaces that are cut away.",
                                      .cost = kRedraw,
                                      .atMost = 64}), // each costs every ray
+        field<&T::face>("face", {.label = "Cut faces",
+                                 .help = "Cuts are drawn flat, in a style of their own or the layer's.",
+                                 .cost = kPlan,
+                                 .omitDefault = true}),
     };
     return fields;
 }
@@ -268,6 +288,14 @@ std::span<const Field> fieldsOf<Layer>() {
     static const Field fields[] = {
         field<&T::name>("name", {.label = "Name", .help = "Name of the layer.", .cost = kNone}),
         field<&T::visible>("visible", {.label = "Visible", .help = "Whether the layer is drawn.", .cost = kPlan}),
+        field<&T::solo>("solo", {.label = "Solo",
+                                 .help = "Layers without it are not drawn while any layer has it.",
+                                 .cost = kPlan,
+                                 .omitDefault = true}),
+        field<&T::locked>("locked", {.label = "Locked",
+                                     .help = "The layer is safe from changes in the studio.",
+                                     .cost = kNone,
+                                     .omitDefault = true}),
         field<&T::opacity>("opacity", {.label = "Opacity",
                                        .help = "Multiplies the opacity of the whole layer.",
                                        .cost = kTables,
@@ -309,10 +337,19 @@ std::span<const Field> fieldsOf<Layer>() {
         field<&T::position>("position", {.label = "Colour by position",
                                          .help = "Tints along the view or an axis: aerial perspective.",
                                          .cost = kPlan}),
-        field<&T::depthOfField>("depth_of_field",
-                                {.label = "Depth of field", .help = "Styles blur away from the focus.", .cost = kPlan}),
+        field<&T::depthOfField>(
+            "depth_of_field",
+            {.label = "Depth of field", .help = "The layer blurs away from the focus.", .cost = kFields}),
         field<&T::labels>("labels",
                           {.label = "Labels", .help = "Only these label numbers show.", .cost = kFields, .low = 0}),
+        field<&T::phong>("phong", {.label = "Phong's light",
+                                   .help = "Shares of ambient and diffuse light.",
+                                   .cost = kPlan,
+                                   .omitDefault = true}),
+        field<&T::clip>("clip", {.label = "Clipping",
+                                 .help = "What is cut away from this layer alone.",
+                                 .cost = kPlan,
+                                 .omitDefault = true}),
         field<&T::importanceWeight>(
             "importance_weight",
             {.label = "Importance", .help = "Weight of the layer in importance composition.", .low = 0, .high = 1e5}),
@@ -425,6 +462,12 @@ std::span<const Field> fieldsOf<Quality>() {
                                      .high = 0.5}),
         field<&T::samplesPerPixel>("samples_per_pixel",
                                    {.label = "Smoothing", .help = "Rays per pixel: 1, 4 or 16.", .low = 1, .high = 16}),
+        field<&T::precision>("precision", {.label = "Voxels",
+                                           .help = "As they are, or in the 256 levels that fit the scan best: half "
+                                                   "the memory, at an error that is shown.",
+                                           .cost = kFields,
+                                           .choices = {"full", "8-bit"},
+                                           .omitDefault = true}),
         field<&T::tolerance>("tolerance", {.label = "Tolerance",
                                            .help = "Largest error asked for; the step is chosen to meet it.",
                                            .low = 0,
@@ -461,6 +504,10 @@ std::span<const Field> fieldsOf<Figure>() {
         field<&T::importance>(
             "importance",
             {.label = "Importance", .help = "What matters shows through what lies in front.", .cost = kPlan}),
+        field<&T::depthCues>("depth_cues", {.label = "Depth cues",
+                                            .help = "Ambient occlusion, contact shadow and halos.",
+                                            .cost = kPlan,
+                                            .omitDefault = true}),
         field<&T::stipple>("stipple", {.label = "Stipples", .help = "Dots of ink.", .cost = kPlan}),
         field<&T::background>("background", {.label = "Background", .help = "The paper."}),
         field<&T::annotations>("annotations", {.label = "Annotations",

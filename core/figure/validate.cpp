@@ -18,7 +18,7 @@ class Validator {
 
     std::vector<Problem> run() {
         checkCamera(figure_.camera, "/camera");
-        checkClip();
+        checkClip(figure_.clip, "/clip");
         for (std::size_t i = 0; i < figure_.cleanup.size(); ++i) {
             checkCleanup(figure_.cleanup[i], item("/cleanup", i));
         }
@@ -29,6 +29,9 @@ class Validator {
         if (figure_.layers.empty()) {
             note("/layers", "there is no layer: the picture shows the background alone",
                  "add a layer or take a preset");
+        }
+        for (const auto& [id, pointer] : faces_) {
+            checkStyleId(id, pointer);
         }
         checkOutput();
         checkUse();
@@ -72,17 +75,22 @@ class Validator {
         }
     }
 
-    void checkClip() {
-        if (figure_.clip.boxMm) {
-            const BoxMm& box = *figure_.clip.boxMm;
+    void checkClip(const Clip& clip, const std::string& pointer) {
+        if (clip.boxMm) {
+            const BoxMm& box = *clip.boxMm;
             if (!(box.low.x < box.high.x && box.low.y < box.high.y && box.low.z < box.high.z)) {
-                fatal("/clip/box_mm", "the box is empty: a low corner is not below the high one", "swap the corners");
+                fatal(pointer + "/box_mm", "the box is empty: a low corner is not below the high one",
+                      "swap the corners");
             }
         }
-        for (std::size_t i = 0; i < figure_.clip.planes.size(); ++i) {
-            if (!(glm::length(figure_.clip.planes[i].normal) > 0)) {
-                fatal(item("/clip/planes", i) + "/normal", "the plane's normal has no length", "such as [1, 0, 0]");
+        for (std::size_t i = 0; i < clip.planes.size(); ++i) {
+            if (!(glm::length(clip.planes[i].normal) > 0)) {
+                fatal(item(pointer + "/planes", i) + "/normal", "the plane's normal has no length",
+                      "such as [1, 0, 0]");
             }
+        }
+        if (clip.face && !clip.face->style.empty()) {
+            faces_.emplace_back(clip.face->style, pointer + "/face/style");
         }
     }
 
@@ -163,6 +171,12 @@ class Validator {
         }
         if (layer.position) {
             checkRising(layer.position->ramp, pointer + "/position/ramp");
+            if (layer.position->axis == "direction" && !(glm::length(layer.position->direction) > 0)) {
+                fatal(pointer + "/position/direction", "the direction has no length", "such as [0, 0, 1]");
+            }
+        }
+        if (layer.clip) {
+            checkClip(*layer.clip, pointer + "/clip");
         }
         if (layer.labels && !figure_.labels) {
             note(pointer + "/labels", "the figure has no label volume", "give it one or remove this");
@@ -293,6 +307,7 @@ class Validator {
     std::vector<Problem> problems_;
     std::set<std::string> styleIds_;
     std::set<std::string> used_;
+    std::vector<std::pair<std::string, std::string>> faces_; ///< of cuts: style and pointer
 };
 
 void addLayerParts(const Layer& layer, const std::string& pointer, std::vector<std::string>& lines) {
@@ -326,7 +341,7 @@ std::vector<std::string> partsNotDrawn(const Figure& figure) {
         }
     };
     for (std::size_t i = 0; i < figure.layers.size(); ++i) {
-        if (figure.layers[i].visible) {
+        if (figure.draws(figure.layers[i])) {
             addLayerParts(figure.layers[i], "/layers/" + std::to_string(i), lines);
         }
     }

@@ -110,7 +110,7 @@ PlanLayer planLayer(const Layer& source, const LayerSurroundings& around) {
 
 bool showsAnything(const Layer& layer, const TransferTable& table) {
     const auto shows = [](float opacity) { return opacity > 0; };
-    if (!layer.visible || !(layer.opacity > 0)) {
+    if (!(layer.opacity > 0)) {
         return false;
     }
     if (table.rows == 0) {

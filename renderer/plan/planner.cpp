@@ -206,7 +206,7 @@ std::shared_ptr<const RenderPlan> Planner::plan(const Figure& figure, const Plan
 
 void Planner::addLayers(RenderPlan& plan, const PlanRequest& request, Task& task) {
     for (const Layer& layer : plan.figure->layers) {
-        if (!layer.visible) {
+        if (!plan.figure->draws(layer)) {
             continue; // no part of the picture: to keep it in would draw it
         }
         const LayerSurroundings around{*plan.figure, *plan.volume, cache_->fields.axisRanges(plan, layer, task),

@@ -47,7 +47,8 @@ TEST(Description, CoversEveryMember) {
     EXPECT_ALL_DESCRIBED(VolumeReference, a, b, c, d, e, f, g, h);
     EXPECT_ALL_DESCRIBED(Camera, a, b, c, d, e, f);
     EXPECT_ALL_DESCRIBED(ClipPlane, a, b);
-    EXPECT_ALL_DESCRIBED(Clip, a, b);
+    EXPECT_ALL_DESCRIBED(CutFace, a, b);
+    EXPECT_ALL_DESCRIBED(Clip, a, b, c);
     EXPECT_ALL_DESCRIBED(CleanupStep, a, b, c, d, e, f, g, h, i);
     EXPECT_ALL_DESCRIBED(LabelReference, a, b, c, d, e);
     EXPECT_ALL_DESCRIBED(StyleTexture, a, b, c, d);
@@ -62,17 +63,22 @@ TEST(Description, CoversEveryMember) {
     EXPECT_ALL_DESCRIBED(ColourKey, a, b);
     EXPECT_ALL_DESCRIBED(Tone, a, b, c);
     EXPECT_ALL_DESCRIBED(Silhouette, a, b, c);
+    EXPECT_ALL_DESCRIBED(PhongLight, a, b);
     EXPECT_ALL_DESCRIBED(Specular, a, b);
     EXPECT_ALL_DESCRIBED(RampKey, a, b);
-    EXPECT_ALL_DESCRIBED(PositionRamp, a, b);
+    EXPECT_ALL_DESCRIBED(PositionRamp, a, b, c);
     EXPECT_ALL_DESCRIBED(DepthOfField, a, b);
-    EXPECT_ALL_DESCRIBED(Layer, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q);
+    EXPECT_ALL_DESCRIBED(Layer, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u);
     EXPECT_ALL_DESCRIBED(ImportanceWeights, a, b, c, d, e, f, g, h);
     EXPECT_ALL_DESCRIBED(Lens, a, b, c, d, e, f, g, h, i, j, k);
     EXPECT_ALL_DESCRIBED(SilhouetteMeasure, a, b, c);
     EXPECT_ALL_DESCRIBED(LightingMeasure, a, b, c, d);
     EXPECT_ALL_DESCRIBED(ObjectImportance, a, b);
     EXPECT_ALL_DESCRIBED(Importance, a, b, c, d, e, f, g, h, i, j);
+    EXPECT_ALL_DESCRIBED(AmbientOcclusion, a, b);
+    EXPECT_ALL_DESCRIBED(ContactShadow, a, b, c, d);
+    EXPECT_ALL_DESCRIBED(Halo, a, b, c, d);
+    EXPECT_ALL_DESCRIBED(DepthCues, a, b, c);
     EXPECT_ALL_DESCRIBED(StippleBoundary, a, b, c);
     EXPECT_ALL_DESCRIBED(StippleSilhouette, a, b, c);
     EXPECT_ALL_DESCRIBED(StippleResolution, a);
@@ -84,8 +90,8 @@ TEST(Description, CoversEveryMember) {
     EXPECT_ALL_DESCRIBED(Background, a, b, c, d);
     EXPECT_ALL_DESCRIBED(Annotation, a, b, c, d, e);
     EXPECT_ALL_DESCRIBED(Output, a, b, c, d);
-    EXPECT_ALL_DESCRIBED(Quality, a, b, c, d, e, f);
-    EXPECT_ALL_DESCRIBED(Figure, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p);
+    EXPECT_ALL_DESCRIBED(Quality, a, b, c, d, e, f, g);
+    EXPECT_ALL_DESCRIBED(Figure, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q);
 }
 
 TEST(ParameterTable, IsInOrderAndComplete) {
