@@ -93,19 +93,18 @@ class VisibilityRays {
                    std::optional<reference::ImportanceRay>& weighed, double& opacity, std::vector<Part>& parts) const {
         const glm::dvec3 position = ray.positionVoxel(segment.positionMm);
         const double value = reference::valueAt(plan_, position);
-        const reference::SampleFacts facts = reference::sampleFacts(plan_, ray, segment.positionMm, value);
-        const double ratio = segment.lengthMm / plan_.referenceLengthMm;
+        const reference::SampleFacts facts = reference::sampleFacts(plan_, ray, segment, value);
         for (std::size_t i = 0; i < plan_.layers.size(); ++i) {
             const reference::LayerSample sample = reference::shadeLayer(plan_, plan_.layers[i], facts);
             double weight = 0;
             if (weighed) {
-                const double kept = weighed->add(plan_.layers[i], facts, sample, ratio);
+                const double kept = weighed->add(plan_.layers[i], facts, sample);
                 for (Part& part : parts) {
                     part.weight *= kept;
                 }
                 weight = 1 - kept;
             } else {
-                weight = (1 - opacity) * optics::opacityOfLength(sample.opacity, ratio);
+                weight = (1 - opacity) * optics::opacityOfLength(sample.opacity, sample.lengthRatio);
                 opacity += weight;
             }
             if (weight > 0) {

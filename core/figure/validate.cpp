@@ -321,14 +321,6 @@ void addLayerParts(const Layer& layer, const std::string& pointer, std::vector<s
              ? readsImportance(layer.transfer.axis)
              : std::any_of(layer.transfer.axes.begin(), layer.transfer.axes.end(), readsImportance),
          "/transfer", "the axis \"importance\" is");
-    kept(layer.tone.has_value(), "/tone", "tone shading is");
-    kept(layer.silhouette.has_value(), "/silhouette", "the silhouette is");
-    kept(layer.specular.has_value() && layer.shading != Shading::phong, "/specular",
-         "highlights other than Phong's are");
-    kept(layer.gradientOpacity.has_value(), "/gradient_opacity", "opacity by gradient is");
-    kept(layer.lineGradientOpacity.has_value(), "/line_gradient_opacity", "line opacity by gradient is");
-    kept(layer.position.has_value(), "/position", "colour by position is");
-    kept(layer.depthOfField.has_value(), "/depth_of_field", "depth of field is");
 }
 
 } // namespace

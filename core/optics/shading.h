@@ -18,10 +18,6 @@
 
 LIMNER_OPTICS_BEGIN
 
-/// Phong's head light: k_a and k_d are fixed, so that a layer has two numbers to set.
-inline constexpr double kAmbient = 0.1;
-inline constexpr double kDiffuse = 0.7;
-
 /// How far a gradient is worth a normal: 0 below g0, 1 above 2 g0. With g0 = 0: 1 wherever |g| > 0.
 template <typename T>
 T normalDefinedness(const T& gradientMagnitude, const T& floor) {
@@ -73,6 +69,8 @@ DiskPoint<T> litSpherePoint(const Vector3<T>& normalRay) {
 
 template <typename T>
 struct PhongTerms {
+    T ambient;  ///< k_a
+    T diffuse;  ///< k_d
     T strength; ///< k_s
     T exponent; ///< e
 };
@@ -88,7 +86,7 @@ T facing(const T& normalZ, bool twoSided) {
 /// ambient part alone.
 template <typename T>
 Colour<T> phong(const Colour<T>& colour, const T& facingViewer, const PhongTerms<T>& terms) {
-    const T matte = T(kAmbient) + T(kDiffuse) * facingViewer;
+    const T matte = terms.ambient + terms.diffuse * facingViewer;
     const T gloss = terms.strength * pow(facingViewer, terms.exponent);
     return {min(T(1), colour.r * matte + gloss), min(T(1), colour.g * matte + gloss),
             min(T(1), colour.b * matte + gloss)};

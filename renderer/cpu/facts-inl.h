@@ -10,6 +10,7 @@
 #include "renderer/cpu/optics_lanes-inl.h"
 
 #include "core/optics/contour.h"
+#include "core/optics/layers.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace limner::HWY_NAMESPACE {
@@ -37,9 +38,8 @@ HWY_INLINE Vec3 turnedBack(const float (&rows)[3][3], const Vec3& v) {
     return {component(0), component(1), component(2)};
 }
 
-template <typename Field>
-HWY_INLINE Normal normalAt(const Field& field, const typename Field::Place& place, const Vec3& q, const Vec3& view) {
-    const Vec3 eye = turned(field.scene.eyeFromGradient, field.gradient(place, q));
+/// Of a gradient in eye space.
+HWY_INLINE Normal normalOf(const Vec3& eye, const Vec3& view) {
     Normal normal;
     normal.magnitude = hn::Sqrt(dot(eye, eye));
     // Where the gradient is zero the normal is too; 1e-18 only keeps the division defined.
@@ -47,6 +47,11 @@ HWY_INLINE Normal normalAt(const Field& field, const typename Field::Place& plac
     normal.eye = {hn::Mul(eye.x, inverse), hn::Mul(eye.y, inverse), hn::Mul(eye.z, inverse)};
     normal.facing = dot(normal.eye, view);
     return normal;
+}
+
+template <typename Field>
+HWY_INLINE Normal normalAt(const Field& field, const typename Field::Place& place, const Vec3& q, const Vec3& view) {
+    return normalOf(turned(field.scene.eyeFromGradient, field.gradient(place, q)), view);
 }
 
 /// How far a normal is trusted: 0 at the gradient floor, 1 from twice of it on (numerics 2a).
@@ -97,6 +102,11 @@ HWY_NOINLINE void findMembers(const std::uint8_t* labels, const CellPlace<Offset
     }
 }
 
+/// Lanes in the face of a cut: how far, and the colour of the face.
+struct FaceLanes {
+    Floats share, r, g, b;
+};
+
 template <typename VoxelField>
 struct Facts {
     using Place = typename VoxelField::Place;
@@ -107,12 +117,16 @@ struct Facts {
     Vec3 q;           ///< position, in cells
     Vec3 view;        ///< unit, eye space, towards the viewer
     Floats tableEntry;
-    Floats part;          ///< share of a step that the sample stands for
-    Normal normal;        ///< where some layer reads it; so are all that follow
-    Floats trusted;       ///< 0: the normal means nothing, 1: it is sound
-    Floats unitMagnitude; ///< of the gradient, over the one that counts as 1
-    Floats bend;          ///< curvature along the view by the Hessian, 1/mm
-    Floats depth;         ///< distance along the view over the target's
+    Floats part;            ///< share of a step that the sample stands for
+    Normal normal;          ///< where some layer reads it; so are all that follow
+    Floats trusted;         ///< 0: the normal means nothing, 1: it is sound
+    Floats unitMagnitude;   ///< of the gradient, over the one that counts as 1
+    Floats bend;            ///< curvature along the view by the Hessian, 1/mm
+    Floats depth;           ///< distance along the view over the target's
+    bool moved = false;     ///< the surface is a cut's or blurred, no longer the field's own
+    Floats flat = splat(0); ///< share of a cut's face
+    int faceCount = 0;
+    FaceLanes faces[2]; ///< of the figure's cuts and the layer's, where they have a colour
 
     /// What `measure` does not fill in stays as it is: clearing half a thousand bytes for every vector of samples costs
     /// a picture 6 % of its time.
@@ -138,24 +152,96 @@ struct Facts {
         if (scene.labels != nullptr) {
             findMembers(scene.labels, place, place.template offsetsIn<1, VoxelField::kBytes>(), members);
         }
+        if (scene.faces != nullptr) {
+            layOntoFace(*scene.faces);
+        }
+    }
+
+    /// Where lanes lie in the face of a cut, their surface is the cut's.
+    HWY_NOINLINE void layOntoFace(const KernelCut& cut) {
+        Floats inside = splat(1e30F);
+        Vec3 plane = {splat(0), splat(0), splat(0)};
+        FaceLanes face = {splat(0), splat(0), splat(0), splat(0)};
+        for (int i = 0; i < cut.count; ++i) {
+            const KernelCut::Plane& p = cut.planes[i];
+            const Floats here = linear(p.insideFromCell);
+            const Mask nearer = hn::Lt(here, inside);
+            inside = hn::Min(here, inside);
+            const auto pick = [&](Floats& v, float other) HWY_ATTR { v = hn::IfThenElse(nearer, splat(other), v); };
+            pick(plane.x, p.normalEye[0]);
+            pick(plane.y, p.normalEye[1]);
+            pick(plane.z, p.normalEye[2]);
+            pick(face.r, p.rgb[0]);
+            pick(face.g, p.rgb[1]);
+            pick(face.b, p.rgb[2]);
+        }
+        face.share = optics::cutFaceShare(Lanes{hn::Mul(inside, splat(cut.perVoxel))}).v;
+        if (hn::AllFalse(kF, hn::Gt(face.share, splat(0)))) {
+            return;
+        }
+        if (field.scene.readsNormal) {
+            turnTo(plane, face.share);
+        }
+        if (cut.coloured) {
+            faces[faceCount++] = face;
+        }
+    }
+
+    /// Moves value and surface to the blur of the layer's depth of field.
+    HWY_NOINLINE void blur(const KernelLayer& layer) {
+        const KernelScene& scene = field.scene;
+        const Floats depthPlace = hn::Min(hn::Max(linear(layer.depthFromCell), splat(0)), splat(1));
+        const Floats level = optics::blurLevel(Lanes{depthPlace}, Lanes{layer.focus}, Lanes{layer.focusStrength}).v;
+        const auto weightOf = [&](int k) HWY_ATTR {
+            return hn::Max(hn::Sub(splat(1), hn::Abs(hn::Sub(level, splat(static_cast<float>(k))))), splat(0));
+        };
+        const Floats sharp = weightOf(0);
+        Floats entry = hn::Mul(sharp, tableEntry);
+        const Floats own = hn::Neg(hn::Mul(sharp, normal.magnitude));
+        Vec3 g = {hn::Mul(own, normal.eye.x), hn::Mul(own, normal.eye.y), hn::Mul(own, normal.eye.z)};
+        for (int k = 1; k <= optics::kBlurLevels; ++k) {
+            const KernelBlur& copy = scene.blurs[k - 1];
+            const Floats weight = weightOf(k);
+            Vec3 slope;
+            const Floats value = cellOf(copy.bricks, slope);
+            entry = hn::MulAdd(weight, hn::MulAdd(value, splat(copy.entryScale), splat(copy.entryBias)), entry);
+            const auto sound = [](Floats s) HWY_ATTR { return optics::slopeOfCopy(Lanes{s}).v; };
+            const Vec3 eye = turned(copy.eyeFromSlope, {sound(slope.x), sound(slope.y), sound(slope.z)});
+            g = {hn::MulAdd(weight, eye.x, g.x), hn::MulAdd(weight, eye.y, g.y), hn::MulAdd(weight, eye.z, g.z)};
+        }
+        tableEntry = hn::Min(hn::Max(entry, splat(0)), splat(scene.lastEntry));
+        if (scene.readsNormal) {
+            moved = true;
+            normal = normalOf(g, view);
+            trusted = trust(scene, normal.magnitude);
+            unitMagnitude = hn::Min(hn::Mul(normal.magnitude, splat(scene.perGradientMax)), splat(1));
+        }
+    }
+
+    /// A number that is linear in the position.
+    HWY_INLINE Floats linear(const float (&fromCell)[4]) const {
+        return hn::Add(dot(q, {splat(fromCell[0]), splat(fromCell[1]), splat(fromCell[2])}), splat(fromCell[3]));
     }
 
     /// Curvature along the view by two normals on the ray, `probe` mm apart, 1/mm; 0 where one of them means nothing.
     HWY_NOINLINE Floats turn(Floats probe) const {
         const KernelScene& scene = field.scene;
         const Vec3 step = turned(scene.cellFromEye, view);
-        const auto moved = [&](Floats from, Floats by, int axis) HWY_ATTR {
+        const auto ahead = [&](Floats from, Floats by, int axis) HWY_ATTR {
             const Floats to = hn::MulAdd(by, probe, from);
             return hn::Min(hn::Max(to, splat(0)), splat(scene.lastCell[axis]));
         };
-        const Vec3 before = {moved(q.x, step.x, 0), moved(q.y, step.y, 1), moved(q.z, step.z, 2)};
+        const Vec3 before = {ahead(q.x, step.x, 0), ahead(q.y, step.y, 1), ahead(q.z, step.z, 2)};
         const Place there = field.locate(before, hn::FirstN(kF, hn::Lanes(kF)));
         const Normal other = normalAt(field, there, before, view);
+        const Normal here = moved ? normalAt(field, place, q, view) : normal;
+        const Floats sound = moved ? trust(scene, here.magnitude) : trusted;
         const auto lanes = [](const Vec3& v) HWY_ATTR {
             return optics::Vector3<Lanes>{Lanes{v.x}, Lanes{v.y}, Lanes{v.z}};
         };
-        const Lanes curvature = optics::curvatureOfNormals(lanes(other.eye), lanes(normal.eye), Lanes{probe});
-        return gated(hn::Mul(trusted, trust(scene, other.magnitude)), curvature.v);
+        const Lanes curvature = optics::curvatureOfNormals(lanes(other.eye), lanes(here.eye), Lanes{probe});
+        const Floats both = hn::Mul(sound, trust(scene, other.magnitude));
+        return hn::Mul(gated(both, curvature.v), hn::Sub(splat(1), flat));
     }
 
     /// Trilinear number of an int16 store laid out as the voxels, as it is kept.
@@ -172,6 +258,54 @@ struct Facts {
     }
 
   private:
+    /// Turns the normal towards a cut's.
+    HWY_INLINE void turnTo(const Vec3& plane, Floats share) {
+        const Floats own = hn::Mul(trusted, hn::Sub(splat(1), share));
+        const auto mixed = [&](Floats n, Floats p) HWY_ATTR { return hn::MulAdd(own, n, hn::Mul(share, p)); };
+        const Vec3 n = {mixed(normal.eye.x, plane.x), mixed(normal.eye.y, plane.y), mixed(normal.eye.z, plane.z)};
+        const Floats length = hn::Sqrt(dot(n, n));
+        const Mask usable = hn::Gt(length, splat(1e-6F));
+        const Floats inverse = hn::Div(splat(1), hn::IfThenElse(usable, length, splat(1)));
+        const Mask on = hn::Gt(share, splat(0));
+        const auto turn = [&](Floats before, Floats v, Floats p) HWY_ATTR {
+            return hn::IfThenElse(on, hn::IfThenElse(usable, hn::Mul(v, inverse), p), before);
+        };
+        normal.eye = {turn(normal.eye.x, n.x, plane.x), turn(normal.eye.y, n.y, plane.y),
+                      turn(normal.eye.z, n.z, plane.z)};
+        normal.facing = dot(normal.eye, view);
+        trusted = lerp(trusted, splat(1), share);
+        if (field.scene.readsBend) {
+            bend = hn::Mul(bend, hn::Sub(splat(1), share));
+        }
+        flat = hn::Max(flat, share);
+        moved = true;
+    }
+
+    /// Trilinear number of an int16 store laid out as the voxels, and its slope per cell; as they are kept.
+    HWY_INLINE Floats cellOf(const std::uint8_t* bricks, Vec3& slope) const {
+        const auto offsets = place.template offsetsIn<2, VoxelField::kBytes>();
+        Floats low[4], high[4]; // ends of the four edges along x, y fastest
+        for (int i = 0; i < 4; ++i) {
+            const int shift = ((i & 1) * BrickLayout::kRow + (i >> 1) * BrickLayout::kSlice) * 2;
+            const Ints words = gatherWords(bricks + shift, offsets);
+            low[i] = toFloat(hn::ShiftRight<16>(hn::ShiftLeft<16>(words)));
+            high[i] = toFloat(hn::ShiftRight<16>(words));
+        }
+        const auto across = [&](const Floats(&v)[4]) HWY_ATTR {
+            return lerp(lerp(v[0], v[1], place.fy), lerp(v[2], v[3], place.fy), place.fz);
+        };
+        const Floats a = across(low);
+        const Floats b = across(high);
+        slope.x = hn::Sub(b, a);
+        Floats edge[4];
+        for (int i = 0; i < 4; ++i) {
+            edge[i] = lerp(low[i], high[i], place.fx);
+        }
+        slope.y = lerp(hn::Sub(edge[1], edge[0]), hn::Sub(edge[3], edge[2]), place.fz);
+        slope.z = lerp(hn::Sub(edge[2], edge[0]), hn::Sub(edge[3], edge[1]), place.fy);
+        return lerp(a, b, place.fx);
+    }
+
     /// What is not trusted is 0, whatever it is.
     static HWY_INLINE Floats gated(Floats trust, Floats v) {
         return hn::IfThenElseZero(hn::Gt(trust, splat(0)), hn::Mul(trust, v));

@@ -41,6 +41,68 @@ struct KernelTexture {
     float strength = 0;
 };
 
+/// A layer's parts (PlanParts); null pointers and zeros: absent. Tables have kRampEntries and one more.
+struct KernelParts {
+    bool any = false;
+    float lastEntry = 0;
+    const float* tone = nullptr;     ///< RGBA, 16-byte aligned
+    float light[3]{0, 0, 1};         ///< eye space, unit; of tone and highlight
+    bool ownLight = false;           ///< else the highlight's light is at the eye
+    const float* position = nullptr; ///< RGBA, 16-byte aligned
+    float placeFromCell[4]{};
+    const float* gradientOpacity = nullptr;
+    const float* lineOpacity = nullptr;
+    float silhouetteOpacity = 0;
+    float silhouetteFull = 0;
+    float silhouetteNone = 0;
+    float silhouetteRgb[4]{};
+    float specularStrength = 0;
+    float specularExponent = 1;
+};
+
+/// PlanCut.
+struct KernelCut {
+    static constexpr int kMaxPlanes = 32;
+    struct Plane {
+        float insideFromCell[4]; ///< mm inside
+        float normalEye[3];
+        float rgb[3];
+    };
+    int count = 0;
+    Plane planes[kMaxPlanes];
+    bool faces = false;
+    bool coloured = false;
+    float perVoxel = 1; ///< 1 / mm
+};
+
+/// One of the blurred copies for depth of field.
+struct KernelBlur {
+    const std::uint8_t* bricks = nullptr; ///< int16, laid out as the voxels
+    float entryScale = 0;                 ///< from the stored number to table entries
+    float entryBias = 0;
+    float eyeFromSlope[3][3]{}; ///< as KernelScene::eyeFromGradient, from stored numbers per cell
+};
+
+/// CueField: cell = q * perCell + bias.
+struct KernelCue {
+    const float* values = nullptr; ///< null: absent
+    std::int32_t dims[3]{1, 1, 1};
+    float perCell = 1;
+    float bias = 0;
+};
+
+struct KernelCues {
+    bool any = false;
+    KernelCue ambient; ///< four channels: mean, and a vector in patient coordinates
+    KernelCue shadow;
+    KernelCue halo;
+    float ambientStrength = 0;
+    float shadowStrength = 0;
+    float haloStrength = 0;
+    float light[3]{0, 0, 1}; ///< the shadow's, eye space
+    float haloRgb[4]{};
+};
+
 struct KernelLayer {
     Shading shading = Shading::flat;
     bool twoSided = true;
@@ -69,9 +131,16 @@ struct KernelLayer {
     const std::uint8_t* shownSlots = nullptr; ///< label slot -> 1 where it shows
     bool curvedLevels = false;                ///< mip levels go by the curvature too
     KernelContours contours;
+    float ambient = 0; ///< Phong's shares
+    float diffuse = 0;
     float specularStrength = 0;
     float specularExponent = 1;
     float importanceWeight = 1;
+    KernelParts parts;
+    const KernelCut* cut = nullptr; ///< of this layer alone
+    float focusStrength = 0;        ///< depth of field; 0: none
+    float focus = 0;
+    float depthFromCell[4]{}; ///< 0 at the front, 1 at the back
 };
 
 struct KernelAtlas {
@@ -172,6 +241,9 @@ struct KernelScene {
     const std::uint8_t* labels = nullptr; ///< label slots, uint8, laid out as the voxels
 
     KernelImportance importance;
+    const KernelCut* faces = nullptr; ///< of the figure's cuts, where they are drawn flat
+    KernelBlur blurs[3];              ///< where a layer has depth of field
+    KernelCues cues;
 
     float opaque = 1;      ///< a ray ends at this opacity
     float stepRatio = 0.5; ///< step / reference length

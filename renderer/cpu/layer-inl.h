@@ -8,6 +8,7 @@
 #endif
 
 #include "renderer/cpu/facts-inl.h" // names the target: before the formulas
+#include "renderer/cpu/parts-inl.h"
 #include "renderer/cpu/style-inl.h"
 #include "renderer/cpu/texture-inl.h"
 
@@ -58,23 +59,13 @@ class LayerEvaluation {
 
     /// Colour of every lane, and what the sample covers of what is behind; `out`'s alpha is of no use afterwards.
     HWY_INLINE Floats evaluate(const Facts<Field>& facts, LaneColours& out) const {
-        const Floats width = contourWidth(facts);
-        if (layer_.rowOfSlot != nullptr) {
-            return byLabels(facts, width, out);
-        }
-        if (layer_.opacityByValue) {
-            const TablePlace at(hn::MulAdd(facts.tableEntry, splat(layer_.x.scale), splat(layer_.x.bias)));
-            const Floats opacity = opacityOfPart(at.read(layer_.stepOpacity), facts.part);
-            if (!hn::AllFalse(kF, hn::Gt(opacity, splat(0)))) {
-                colour(facts, width, nodesOfLine(at), out);
-            }
-            return opacity;
-        }
-        Floats opacity = row(facts, width, splat(0), out);
-        if (layer_.shownSlots != nullptr) {
-            opacity = hn::Mul(opacity, shownShare(facts));
-        }
-        return ofStep(opacity, facts.part);
+        const bool faces = layer_.cut != nullptr && layer_.cut->faces;
+        return layer_.focusStrength > 0 || faces ? evaluateMoved(facts, faces, out) : evaluateAt(facts, out);
+    }
+
+    /// Share of a step that a sample stands for in this layer.
+    HWY_INLINE Floats partOf(const Facts<Field>& facts) const {
+        return layer_.cut != nullptr ? hn::Mul(facts.part, keptByCut(*layer_.cut, scene_, facts)) : facts.part;
     }
 
     /// The colour alone, where the sample's opacity is known already.
@@ -89,11 +80,52 @@ class LayerEvaluation {
             }
             colour(facts, width, nodes, out);
         }
+        tint(facts, out);
     }
 
   private:
+    HWY_INLINE Floats evaluateAt(const Facts<Field>& facts, LaneColours& out) const {
+        const Floats width = contourWidth(facts);
+        if (layer_.opacityByValue) {
+            const TablePlace at(hn::MulAdd(facts.tableEntry, splat(layer_.x.scale), splat(layer_.x.bias)));
+            const Floats opacity = opacityOfPart(at.read(layer_.stepOpacity), facts.part);
+            if (!hn::AllFalse(kF, hn::Gt(opacity, splat(0)))) {
+                colour(facts, width, nodesOfLine(at), out);
+                tint(facts, out);
+            }
+            return opacity;
+        }
+        Floats opacity = layer_.rowOfSlot != nullptr ? byLabels(facts, width, out) : row(facts, width, splat(0), out);
+        if (layer_.rowOfSlot == nullptr && layer_.shownSlots != nullptr) {
+            opacity = hn::Mul(opacity, shownShare(facts));
+        }
+        if (layer_.parts.any || facts.faceCount > 0) {
+            opacity = LayerParts<Field>(scene_, layer_, facts).apply(opacity, out);
+        }
+        return ofStep(opacity, partOf(facts));
+    }
+
+    /// For layers whose surface is not the field's own.
+    HWY_NOINLINE Floats evaluateMoved(const Facts<Field>& facts, bool faces, LaneColours& out) const {
+        Facts<Field> own = facts;
+        if (layer_.focusStrength > 0) {
+            own.blur(layer_);
+        }
+        if (faces) {
+            own.layOntoFace(*layer_.cut);
+        }
+        return evaluateAt(own, out);
+    }
+
+    HWY_INLINE void tint(const Facts<Field>& facts, LaneColours& out) const {
+        if (layer_.parts.any || facts.faceCount > 0) {
+            LayerParts<Field>(scene_, layer_, facts).apply(splat(1), out);
+        }
+    }
+
     HWY_INLINE Floats ofStep(Floats opacity, Floats part) const {
-        return opacityOfLength(opacity, hn::Mul(splat(scene_.stepRatio), part));
+        const Floats whole = opacityOfLength(opacity, hn::Mul(splat(scene_.stepRatio), part));
+        return layer_.cut == nullptr ? whole : hn::IfThenElseZero(hn::Gt(part, splat(0)), whole);
     }
 
     /// Where contours end, |n.v|; 0: there are none.
@@ -230,7 +262,7 @@ class LayerEvaluation {
             hn::Store(hn::Mul(hn::Load(kQuad, sum + 4 * lane), hn::Set(kQuad, inverse.at[lane])), kQuad,
                       out.rgba + 4 * lane);
         }
-        return ofStep(hn::Min(total, splat(1)), facts.part);
+        return hn::Min(total, splat(1));
     }
 
     HWY_INLINE Floats shownShare(const Facts<Field>& facts) const {
@@ -328,8 +360,7 @@ class LayerEvaluation {
         };
         if (layer_.shading == Shading::phong) {
             const Floats lit = litPart(facts);
-            const LaneFloats factor(hn::MulAdd(lit, splat(static_cast<float>(optics::kDiffuse)),
-                                               splat(static_cast<float>(optics::kAmbient))));
+            const LaneFloats factor(hn::MulAdd(lit, splat(layer_.diffuse), splat(layer_.ambient)));
             const LaneFloats gloss(hn::Mul(splat(layer_.specularStrength), power(lit, layer_.specularExponent)));
             each([&](Quad c, std::size_t lane) HWY_ATTR {
                 const Quad shaded = hn::MulAdd(c, hn::Set(kQuad, factor.at[lane]), hn::Set(kQuad, gloss.at[lane]));

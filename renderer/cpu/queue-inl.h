@@ -6,6 +6,7 @@
 #define LIMNER_QUEUE_INL_H
 #endif
 
+#include "renderer/cpu/cues-inl.h"
 #include "renderer/cpu/importance-inl.h"
 #include "renderer/cpu/layer-inl.h"
 
@@ -167,6 +168,9 @@ class ShadeQueue {
         }
         Facts<VoxelField> facts(field_, place, members_, q, view, load(tableEntry_), load(weight_));
         facts.measure();
+        if (scene_.cues.any) {
+            cues_.measure(facts);
+        }
         if (oneOpacity_) {
             addWeighted(facts, count);
         } else if (byImportance_) {
@@ -179,6 +183,7 @@ class ShadeQueue {
     HWY_INLINE void addWeighted(const Facts<VoxelField>& facts, int count) {
         LaneColours colours;
         LayerEvaluation<VoxelField>(scene_, scene_.layers[0]).colourByValue(facts, colours);
+        lightByCues(colours);
         for (int lane = 0; lane < count; ++lane) {
             float* pixel = rgba_ + 4 * pixel_[lane];
             const Quad weight = hn::Set(kQuad, weight_[lane]);
@@ -199,6 +204,7 @@ class ShadeQueue {
         for (std::size_t i = 0; i < layers_.size(); ++i) {
             const LayerEvaluation<VoxelField> layer(scene_, scene_.layers[i]);
             layers_[i].opacity = layer.evaluate(facts, layers_[i].colours);
+            lightByCues(layers_[i].colours);
         }
         for (int lane = 0; lane < count; ++lane) {
             float* pixel = rgba_ + 4 * pixel_[lane];
@@ -231,7 +237,9 @@ class ShadeQueue {
             const LayerEvaluation<VoxelField> layer(scene_, kernelLayer);
             const Floats opacity = layer.evaluate(facts, layers_[i].colours);
             layers_[i].opacity = opacity;
-            composer_.weigh(measures, weight, kernelLayer.importanceWeight, opacity, facts.part, layers_[i].weighed);
+            lightByCues(layers_[i].colours);
+            composer_.weigh(measures, weight, kernelLayer.importanceWeight, opacity, layer.partOf(facts),
+                            layers_[i].weighed);
         }
         LaneFloats dark(splat(1));
         if (settings.silhouette > 0) {
@@ -254,6 +262,12 @@ class ShadeQueue {
                 }
             }
             composer_.endWhereCertain(pixel, ahead.at[lane], share.at[lane]);
+        }
+    }
+
+    HWY_INLINE void lightByCues(LaneColours& colours) const {
+        if (scene_.cues.any) {
+            cues_.apply(colours);
         }
     }
 
@@ -287,6 +301,7 @@ class ShadeQueue {
     ImportanceComposer composer_;
     std::vector<Evaluated> layers_;
     Members members_;
+    CueLanes<VoxelField> cues_{scene_};
     int count_ = 0;
     static constexpr int kRoom = 3 * kMaxLanes; ///< a vector waiting, one pushed, and the over-write of its last store
     alignas(64) float x_[kRoom] = {};

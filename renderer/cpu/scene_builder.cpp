@@ -38,6 +38,11 @@ BuiltScene::BuiltScene(const RenderPlan& plan) {
     setClip(plan);
     setTables(plan);
     setImportance(plan);
+    setBlurs(plan);
+    setCues(plan);
+    if (plan.faces) {
+        scene_.faces = addCut(plan, *plan.faces);
+    }
     scene_.opaque = static_cast<float>(1 - plan.earlyTermination);
 }
 
@@ -56,6 +61,7 @@ void BuiltScene::setVolume(const RenderPlan& plan) {
     std::size_t largest = std::max(field.bytes(), plan.gradientField->bytes());
     largest = std::max(largest, plan.secondVolume ? plan.secondVolume->bytes() : 0);
     largest = std::max(largest, plan.bendField ? plan.bendField->bytes() : 0);
+    largest = std::max(largest, plan.blurs.empty() ? 0 : plan.blurs.front()->bytes());
     largest =
         std::max(largest, plan.importance && plan.importance->statistics ? plan.importance->statistics->bytes() : 0);
     for (const PlanLayer& layer : plan.layers) {
@@ -345,6 +351,8 @@ void BuiltScene::addLook(const RenderPlan& plan, const PlanLayer& layer, KernelL
                         static_cast<float>(layer.contours->probeMm)};
     }
     if (layer.shading != Shading::style) {
+        out.ambient = static_cast<float>(layer.light.ambient);
+        out.diffuse = static_cast<float>(layer.light.diffuse);
         out.specularStrength = static_cast<float>(layer.specular.strength);
         out.specularExponent = static_cast<float>(layer.specular.exponent);
         addColours(layer, out);
@@ -395,11 +403,15 @@ void BuiltScene::setTables(const RenderPlan& plan) {
     if (plan.volume->contents().slope < 0) {
         std::reverse(visibility.begin(), visibility.end());
     }
+    if (!plan.blurs.empty()) { // a sample that shows nothing may show its blurred surroundings
+        std::fill(visibility.begin(), visibility.end(), 1.0F);
+    }
     valueEntries_ = static_cast<std::int64_t>(visibility.size());
     for (const PlanLayer& layer : plan.layers) {
         KernelLayer out;
         addTransfer(plan, layer, out);
         addLook(plan, layer, out);
+        addParts(plan, layer, out);
         out.importanceWeight = static_cast<float>(layer.source->importanceWeight);
         layers_.push_back(out);
     }

@@ -42,6 +42,11 @@ class BuiltScene {
     void addTransfer(const RenderPlan& plan, const PlanLayer& layer, KernelLayer& out);
     void addLook(const RenderPlan& plan, const PlanLayer& layer, KernelLayer& out);
     void addColours(const PlanLayer& layer, KernelLayer& out);
+    void addParts(const RenderPlan& plan, const PlanLayer& layer, KernelLayer& out);
+    const KernelCut* addCut(const RenderPlan& plan, const PlanCut& cut);
+    void setBlurs(const RenderPlan& plan);
+    void setCues(const RenderPlan& plan);
+    const float* keepColours(const std::vector<glm::vec4>& table);
     const float* keep(std::vector<float> table);
 
     KernelScene scene_;
@@ -57,6 +62,7 @@ class BuiltScene {
         float rgba[4];
     };
     std::deque<std::vector<Colour>> colours_;
+    std::deque<KernelCut> cuts_;
     std::vector<float> means_;
 };
 

@@ -70,6 +70,27 @@ void describeTransfers(const RenderPlan& plan, const AddFeature& feature) {
             "the quality asks for it, or the slices are thick", "voxels are joined otherwise");
 }
 
+/// What the layers' parts and depth cues ask for.
+void describeParts(const RenderPlan& plan, const AddFeature& feature) {
+    const auto part = [&](bool (*has)(const PlanParts&), const char* name) {
+        const bool used = anyLayer(plan, [has](const PlanLayer& l) { return l.parts && has(*l.parts); });
+        feature(used, name, "a layer has it", "no layer has it");
+    };
+    part([](const PlanParts& p) { return p.tone.has_value(); }, "tone");
+    part([](const PlanParts& p) { return p.silhouette.has_value(); }, "silhouettes");
+    part([](const PlanParts& p) { return p.specular.has_value(); }, "highlights");
+    part([](const PlanParts& p) { return p.gradientOpacity || p.lineGradientOpacity; }, "opacity by gradient");
+    part([](const PlanParts& p) { return p.position.has_value(); }, "colour by position");
+    feature(!plan.blurs.empty(), "depth of field", "a layer blurs away from its focus", "no layer blurs");
+    feature(anyLayer(plan, [](const PlanLayer& l) { return l.cut.has_value(); }), "clipping of layers",
+            "a layer is cut by itself", "no layer is cut by itself");
+    feature(plan.faces || anyLayer(plan, [](const PlanLayer& l) { return l.cut && l.cut->faces; }), "flat cut faces",
+            "a cut asks for them", "no cut asks for them");
+    feature(plan.cues && plan.cues->ambient, "ambient occlusion", "the figure asks for it", "the figure has none");
+    feature(plan.cues && plan.cues->shadow, "contact shadow", "the figure asks for it", "the figure has none");
+    feature(plan.cues && plan.cues->halo, "halos", "the figure asks for them", "the figure has none");
+}
+
 /// Each measure on its own: one without a weight is not taken.
 void describeImportance(const RenderPlan& plan, const AddFeature& feature) {
     feature(plan.importance.has_value(), "importance-aware composition", "the figure weighs what matters",
@@ -113,6 +134,7 @@ void describePlan(RenderPlan& plan, const PlanRequest& request) {
     feature(readsNormal(plan), gradientName(plan.gradient), "layers or importance need normals",
             "nothing drawn needs normals");
     describeTransfers(plan, feature);
+    describeParts(plan, feature);
     describeImportance(plan, feature);
     feature(plan.layers.size() > 1, "several layers", "more than one layer shows", "one layer at most shows");
     feature(plan.rays.perspective, "perspective", "the camera has it", "the camera is orthographic");
@@ -136,6 +158,14 @@ void describePlan(RenderPlan& plan, const PlanRequest& request) {
     plan.bytes += plan.field != plan.volume ? plan.field->bytes() : 0;
     plan.bytes += plan.gradientField != plan.field ? plan.gradientField->bytes() : 0;
     plan.bytes += plan.bendField ? plan.bendField->bytes() : 0;
+    for (const auto& blur : plan.blurs) {
+        plan.bytes += blur->bytes();
+    }
+    if (plan.cues) {
+        for (const auto& field : {plan.cues->ambient, plan.cues->shadow, plan.cues->halo}) {
+            plan.bytes += field ? field->values.size() * sizeof(float) : 0;
+        }
+    }
     plan.bytes += plan.labels ? plan.labels->bytes() : 0;
     plan.bytes += plan.secondVolume ? plan.secondVolume->bytes() : 0;
     plan.bytes += plan.importance && plan.importance->statistics ? plan.importance->statistics->bytes() : 0;

@@ -2,6 +2,7 @@
 
 #include "core/optics/measures.h"
 #include "core/optics/opacity.h"
+#include "renderer/plan/plan_parts.h"
 
 #include <tbb/parallel_for.h>
 
@@ -32,9 +33,10 @@ double greatestExtinction(const PlanLayer& layer, const ValueRange& values) {
         first = all.begin() + static_cast<std::ptrdiff_t>(low);
         last = all.begin() + static_cast<std::ptrdiff_t>(high) + 1;
     }
-    const double opacity = *std::max_element(first, last);
+    const double classified = *std::max_element(first, last);
     // The 100-percent rule takes at most the square root.
-    return optics::opticalDepth(layer.illustrative ? std::sqrt(opacity) : opacity);
+    const double shading = layer.illustrative ? std::sqrt(classified) : classified;
+    return optics::opticalDepth(layer.parts ? greatestOpacity(*layer.parts, shading) : shading);
 }
 
 /// Greatest of a field or of the objects' weights in the cells of a brick, margins included.

@@ -1,6 +1,7 @@
 #include "renderer/plan/plan_fields.h"
 
 #include "core/base/error.h"
+#include "core/optics/layers.h"
 #include "core/volume/gradient_choice.h"
 #include "renderer/plan/plan_importance.h"
 
@@ -115,6 +116,18 @@ glm::dvec3 bendSigmaVoxels(const Grid& grid) {
     return glm::max(largestSpacing(grid) / grid.spacingMm, glm::dvec3(1.5));
 }
 
+/// For depth of field: optics::kBlurLevels copies, each blurred twice as far as the one before, in int16.
+std::vector<std::shared_ptr<const Volume>> blurredCopies(const Volume& volume, Task& task) {
+    std::vector<std::shared_ptr<const Volume>> copies;
+    const Grid& grid = volume.grid();
+    for (int level = 0; level < optics::kBlurLevels; ++level) {
+        const double sigmaMm = std::exp2(level) * grid.smallestSpacingMm();
+        auto copy = gaussianBlurred(volume, sigmaMm / grid.spacingMm, task);
+        copies.push_back(copy->type() == VoxelType::int16 ? copy : resampledValues(*copy, grid, task));
+    }
+    return copies;
+}
+
 } // namespace
 
 void PlanFields::chooseEstimators(RenderPlan& plan, Task& task) {
@@ -168,6 +181,10 @@ void PlanFields::addFields(RenderPlan& plan, Task& task) {
     if (std::any_of(plan.layers.begin(), plan.layers.end(), readsSecondDerivatives)) {
         plan.bendField = bends_.get(
             plan.volume, [&] { return gaussianBlurred(*plan.volume, bendSigmaVoxels(plan.volume->grid()), task); });
+    }
+    if (std::any_of(plan.layers.begin(), plan.layers.end(),
+                    [](const auto& layer) { return layer.focus.has_value(); })) {
+        plan.blurs = blurs_.get(plan.volume, [&] { return blurredCopies(*plan.volume, task); });
     }
     for (PlanLayer& layer : plan.layers) {
         if (readsAxis(layer, TransferAxis::distance) && !layer.distanceFromMm) {

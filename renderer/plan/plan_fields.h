@@ -71,6 +71,7 @@ class PlanFields {
     RecentResults<VolumePointer, GradientEstimator> automatic_;
     RecentResults<VolumePointer, VolumePointer> slices_; ///< thick ones, blurred
     RecentResults<VolumePointer, VolumePointer> bends_;
+    RecentResults<VolumePointer, std::vector<VolumePointer>> blurs_;
     RecentResults<LabelKey, VolumePointer> slots_;
     RecentResults<DistanceKey, VolumePointer> distances_{4}; ///< layers may each have their own
     RecentResults<std::pair<VolumePointer, VolumePointer>, VolumePointer> second_;

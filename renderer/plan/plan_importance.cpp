@@ -1,5 +1,7 @@
 #include "renderer/plan/plan_importance.h"
 
+#include "renderer/plan/depth_cues.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -51,13 +53,17 @@ double globalWeightAt(const RenderPlan& plan, glm::dvec2 place) {
 
 bool readsNormal(const RenderPlan& plan) {
     return std::any_of(plan.layers.begin(), plan.layers.end(), [](const auto& layer) { return readsNormal(layer); }) ||
-           (plan.importance && readsNormal(*plan.importance->source));
+           (plan.importance && readsNormal(*plan.importance->source)) || readNormals(plan.figure->depthCues);
 }
 
 bool readsGradientScale(const RenderPlan& plan) {
-    return std::any_of(plan.layers.begin(), plan.layers.end(),
+    // Normals that are mixed with others go by how far they are trusted.
+    const auto mixes = [](const PlanLayer& layer) { return (layer.cut && layer.cut->faces) || layer.focus; };
+    const bool mixed = plan.faces || std::any_of(plan.layers.begin(), plan.layers.end(), mixes);
+    return (mixed && readsNormal(plan)) ||
+           std::any_of(plan.layers.begin(), plan.layers.end(),
                        [](const auto& layer) { return readsGradientScale(layer); }) ||
-           (plan.importance && readsNormal(*plan.importance->source));
+           (plan.importance && readsNormal(*plan.importance->source)) || readNormals(plan.figure->depthCues);
 }
 
 } // namespace limner

@@ -1,5 +1,7 @@
 #include "renderer/plan/plan_layer.h"
 
+#include "renderer/plan/plan_parts.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -78,6 +80,19 @@ std::vector<PlanTexture> planTextures(const StyleIndex& styles, double sampleMm)
 
 } // namespace
 
+namespace {
+
+/// Whether a layer reads normals or gradients for more than Phong's light.
+bool readsBesidePhong(const PlanLayer& layer) {
+    const auto reads = [](const PlanParts& p) {
+        return p.tone || p.silhouette || p.specular || p.gradientOpacity || p.lineGradientOpacity;
+    };
+    return layer.contours || layer.illustrative || readsCurvature(layer) || readsAxis(layer, TransferAxis::gradient) ||
+           (layer.parts && reads(*layer.parts));
+}
+
+} // namespace
+
 bool drawsSpheres(const PlanLayer& layer) {
     return layer.shading == Shading::style && std::any_of(layer.styles.styles.begin(), layer.styles.styles.end(),
                                                           [](const auto& e) { return e.sphere != nullptr; });
@@ -91,6 +106,7 @@ PlanLayer planLayer(const Layer& source, const LayerSurroundings& around) {
     layer.twoSided = source.twoSided;
     layer.illustrative = source.transparency == Transparency::illustrative;
     layer.specular = source.specular.value_or(Specular{});
+    layer.light = source.phong.value_or(PhongLight{});
     if (source.contours) {
         layer.contours = planContours(*source.contours, around);
     }
@@ -101,6 +117,11 @@ PlanLayer planLayer(const Layer& source, const LayerSurroundings& around) {
     }
     if (layer.shading == Shading::style) {
         layer.textures = planTextures(layer.styles, around.sampleMm);
+    }
+    layer.parts = planParts(source, around);
+    layer.focus = planFocus(source, around);
+    if (source.clip && (source.clip->boxMm || !source.clip->planes.empty())) {
+        layer.cut = planCut(*source.clip, around.figure, around.rays);
     }
     if (source.transfer.distance && source.transfer.distance->fromMm) {
         layer.distanceFromMm = source.transfer.distance->fromMm;
@@ -139,13 +160,11 @@ VisibleRange visibleRange(const std::vector<PlanLayer>& layers, const Volume& vo
 }
 
 bool readsNormal(const PlanLayer& layer) {
-    return layer.shading == Shading::phong || drawsSpheres(layer) || layer.contours || layer.illustrative ||
-           readsCurvature(layer) || readsAxis(layer, TransferAxis::gradient);
+    return layer.shading == Shading::phong || drawsSpheres(layer) || readsBesidePhong(layer);
 }
 
 bool readsGradientScale(const PlanLayer& layer) {
-    return readsNormal(layer) && (layer.shading != Shading::phong || layer.contours || layer.illustrative ||
-                                  readsCurvature(layer) || readsAxis(layer, TransferAxis::gradient));
+    return readsNormal(layer) && (layer.shading != Shading::phong || readsBesidePhong(layer));
 }
 
 bool readsCurvature(const PlanLayer& layer) {
@@ -164,8 +183,10 @@ bool opacityByValue(const PlanLayer& layer) {
     const bool directional = std::any_of(layer.styles.styles.begin(), layer.styles.styles.end(), [](const auto& style) {
         return style.sphere && style.sphere->hasDirectionalOpacity();
     });
+    const bool byParts = layer.parts && changesOpacity(*layer.parts);
     return layer.table.rows == 0 && layer.table.axisX == TransferAxis::value && !layer.illustrative &&
-           !(directional && layer.shading == Shading::style) && !readsLabels(layer);
+           !(directional && layer.shading == Shading::style) && !readsLabels(layer) && !byParts && !layer.cut &&
+           !layer.focus;
 }
 
 bool readsAxis(const PlanLayer& layer, TransferAxis axis) {

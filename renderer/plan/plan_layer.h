@@ -10,6 +10,7 @@ struct LayerSurroundings {
     const Volume& volume; ///< after clean-up
     AxisRanges ranges;
     double sampleMm = 1; ///< between neighbouring rays, in the target plane
+    const RayFrame& rays;
 };
 
 /// One layer, ready to draw but for its place in the atlas, the opacity of a step and the fields it reads.

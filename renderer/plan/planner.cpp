@@ -3,12 +3,14 @@
 #include "core/base/error.h"
 #include "core/volume/cleanup.h"
 #include "core/volume/gradient_statistics.h"
+#include "renderer/plan/depth_cues.h"
 #include "renderer/plan/describe_plan.h"
 #include "renderer/plan/importance_bricks.h"
 #include "renderer/plan/mip_levels.h"
 #include "renderer/plan/plan_fields.h"
 #include "renderer/plan/plan_importance.h"
 #include "renderer/plan/plan_layer.h"
+#include "renderer/plan/plan_parts.h"
 #include "renderer/plan/ray_frame.h"
 
 #include <glm/geometric.hpp>
@@ -49,6 +51,23 @@ double noiseGain(const RenderPlan& plan) {
     return kCentralNoiseGain;
 }
 
+/// Reaches of a scan and its blurred copies together, in the scan's stored numbers: depth of field draws values between
+/// them.
+std::shared_ptr<const MinMaxGrid> withBlurs(const MinMaxGrid& scan, const RenderPlan& plan) {
+    auto all = std::make_shared<MinMaxGrid>(scan);
+    for (const auto& blur : plan.blurs) {
+        const auto reach = computeMinMaxGrid(*blur);
+        for (std::size_t i = 0; i < all->low.size(); ++i) {
+            for (const float stored : {reach->low[i], reach->high[i]}) {
+                const auto own = static_cast<float>(plan.field->storedFromValue(blur->valueFromStored(stored)));
+                all->low[i] = std::min(all->low[i], own);
+                all->high[i] = std::max(all->high[i], own);
+            }
+        }
+    }
+    return all;
+}
+
 /// See RenderPlan::gradientRounding: a dozen rounded operations on the largest number.
 double gradientRounding(const Volume& field) {
     const ValueRange range = field.range();
@@ -77,11 +96,15 @@ struct Planner::Cache {
     using MinMaxKey = std::pair<std::shared_ptr<const Volume>, SampleReach>;
     RecentResults<CleanKey, std::shared_ptr<const Volume>> cleaned;
     RecentResults<MinMaxKey, std::shared_ptr<const MinMaxGrid>> minMax;
+    RecentResults<std::pair<std::shared_ptr<const MinMaxGrid>, std::shared_ptr<const Volume>>,
+                  std::shared_ptr<const MinMaxGrid>>
+        minMaxWithBlurs;
     RecentResults<std::shared_ptr<const Volume>, GradientStatistics> gradients;
     RecentResults<VisibleKey, std::shared_ptr<const SkipGrid>> skip;
     RecentResults<BricksKey, std::shared_ptr<const ImportanceBricks>> bricks;
     RecentResults<AtlasKey, std::shared_ptr<const StyleAtlas>> atlas;
     PlanFields fields;
+    DepthCueFields cues;
     std::vector<std::pair<glm::dvec3, std::shared_ptr<const LitSphere>>> plainSpheres;
 
     /// Plain colours among lit spheres are constant spheres; one and the same object per colour, so that the atlas is
@@ -132,7 +155,10 @@ void Planner::Cache::packAtlas(RenderPlan& plan, bool omit) {
 
 void Planner::Cache::addSkipGrid(RenderPlan& plan, const PlanRequest& request) {
     const SampleReach reach = plan.interpolation == Interpolation::linear ? SampleReach::cell : SampleReach::neighbours;
-    const auto lowHigh = minMax.get({plan.field, reach}, [&] { return computeMinMaxGrid(*plan.field, reach); });
+    auto lowHigh = minMax.get({plan.field, reach}, [&] { return computeMinMaxGrid(*plan.field, reach); });
+    if (!plan.blurs.empty()) {
+        lowHigh = minMaxWithBlurs.get({lowHigh, plan.blurs.front()}, [&] { return withBlurs(*lowHigh, plan); });
+    }
     VisibleRange range = visibleRange(plan.layers, *plan.volume);
     if (!request.omit) {
         std::fill(range.visible.begin(), range.visible.end(), std::uint8_t{1});
@@ -191,6 +217,9 @@ std::shared_ptr<const RenderPlan> Planner::plan(const Figure& figure, const Plan
     plan->earlyTermination = quality.earlyTermination;
     plan->clip = figure.clip;
     plan->rays = makeRayFrame(figure.camera, *plan->volume, plan->size);
+    if (figure.clip.face && (figure.clip.boxMm || !figure.clip.planes.empty())) {
+        plan->faces = planCut(figure.clip, figure, plan->rays);
+    }
     cache_->fields.chooseEstimators(*plan, task);
     plan->gradientRounding = gradientRounding(*plan->gradientField);
     addLayers(*plan, request, task);
@@ -200,6 +229,7 @@ std::shared_ptr<const RenderPlan> Planner::plan(const Figure& figure, const Plan
     cache_->addSkipGrid(*plan, request);
     cache_->packAtlas(*plan, request.omit);
     cache_->measureGradients(*plan);
+    cache_->cues.add(*plan, task);
     describePlan(*plan, request);
     return plan;
 }
@@ -210,7 +240,7 @@ void Planner::addLayers(RenderPlan& plan, const PlanRequest& request, Task& task
             continue; // no part of the picture: to keep it in would draw it
         }
         const LayerSurroundings around{*plan.figure, *plan.volume, cache_->fields.axisRanges(plan, layer, task),
-                                       plan.rays.footprintMm / plan.subPixels};
+                                       plan.rays.footprintMm / plan.subPixels, plan.rays};
         PlanLayer planned = planLayer(layer, around);
         if (!request.omit || showsAnything(layer, planned.table)) {
             planned.stepOpacity = stepOpacity(planned.table.opacity, plan.lattice.stepMm / plan.referenceLengthMm);

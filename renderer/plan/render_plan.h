@@ -3,6 +3,7 @@
 #include "core/figure/figure.h"
 #include "core/style/transfer_function.h"
 #include "renderer/plan/lenses.h"
+#include "renderer/plan/planned_layer.h"
 #include "renderer/plan/skip_grid.h"
 #include "renderer/plan/style_atlas.h"
 
@@ -44,66 +45,12 @@ struct SampleLattice {
     double boxInset = 0; ///< voxels taken off every face of the box: 0.5 starts rays at the outermost voxel centres
 };
 
-/// A layer's contours, ready to draw.
-struct PlanContours {
-    bool curvatureControlled = true;
-    CurvatureEstimator curvature = CurvatureEstimator::hessian;
-    double thicknessMm = 0; ///< of the pen in the target plane, on the object
-    double probeMm = 1;     ///< CurvatureEstimator::normals: distance between the two
-    /// Not controlled: where contours end, |n.v|: as on a ball of kUncontrolledRadiusMm on paper.
-    double fixedWidth = 0;
-};
-
-/// Radius, mm on paper, of the ball on which contours that do not follow the curvature have their asked width.
-inline constexpr double kUncontrolledRadiusMm = 10;
-
-/// A style's texture, ready to draw; without a tile: none.
-struct PlanTexture {
-    std::shared_ptr<const TextureTile> tile; ///< no finer than a pixel
-    double perMm = 1;                        ///< tiles
-    double strength = 0;
-};
-
 /// How a sample chooses among the mip levels of lit spheres (core/optics/mip.h): level 0 is the atlas's finest.
 struct PlanMipLevels {
     double radiusTexels = 1;    ///< R: of the picture that is right for the finest structure in the target plane
     double footprintVoxels = 1; ///< of a ray in the target plane
     double voxelMm = 1;
 };
-
-/// One visible layer, ready to draw.
-struct PlanLayer {
-    std::string name;
-    const Layer* source = nullptr; ///< in the plan's figure: what the reference evaluates
-    Shading shading = Shading::style;
-    bool twoSided = true;
-    bool illustrative = false; ///< transparency by the 100-percent rule
-    Specular specular;         ///< Phong's
-    std::optional<PlanContours> contours;
-    TransferTable table;
-    std::vector<float> stepOpacity; ///< of one whole step of the plan's lattice, entries as the table's
-    StyleIndex styles;
-    /// Parallel to `styles.styles`, at the plan's resolution; empty where none of them has one.
-    std::vector<PlanTexture> textures;
-    std::vector<int> atlasSlots; ///< distinct style -> slot of the atlas; empty unless shading is style with a sphere
-    std::vector<std::uint8_t> shownSlots;     ///< label slot -> 1 where the label shows; empty: all show
-    std::vector<std::int16_t> rowOfSlot;      ///< label slot -> row of the table, -1: none; empty: no label axis
-    std::shared_ptr<const Volume> distance;   ///< axis "distance" from a label: mm; else null
-    std::optional<glm::dvec3> distanceFromMm; ///< axis "distance" from a point
-};
-
-/// What a layer's evaluation reads beside the value.
-bool readsNormal(const PlanLayer& layer);
-/// Whether it asks how large a gradient is, beside its direction.
-bool readsGradientScale(const PlanLayer& layer);
-bool readsCurvature(const PlanLayer& layer);
-/// Curvature by second derivatives: an axis always, contours by their choice.
-bool readsSecondDerivatives(const PlanLayer& layer);
-bool readsLabels(const PlanLayer& layer);
-/// Whether a sample's opacity follows from its value alone, so that it is known before the sample is shaded.
-bool opacityByValue(const PlanLayer& layer);
-/// Whether the layer's transfer function reads an axis.
-bool readsAxis(const PlanLayer& layer, TransferAxis axis);
 
 /// Upper bounds of what samples can matter, kept for bricks of the volume.
 struct ImportanceBricks;
@@ -117,6 +64,25 @@ struct PlanImportance {
     std::shared_ptr<const Volume> statistics; ///< 0..1 on the volume's grid; null: not weighed
     std::vector<PlanLens> lenses;
     std::shared_ptr<const ImportanceBricks> bricks;
+};
+
+/// Numbers on a coarser grid than the scan's; cell c has its middle at voxel (c + 1/2) voxelsPerCell - 1/2. Between
+/// cells trilinear, outside as at the border.
+struct CueField {
+    glm::ivec3 dims{0};
+    int voxelsPerCell = 1;
+    int channels = 1;
+    std::vector<float> values; ///< x fastest, the channels of a cell side by side
+};
+
+/// Depth cues, ready to draw (core/optics/layers.h); absent fields are not drawn.
+struct PlanDepthCues {
+    const DepthCues* source = nullptr; ///< in the plan's figure
+    /// Occlusion over all directions: its mean, and the mean of occlusion times direction (patient coordinates).
+    std::shared_ptr<const CueField> ambient;
+    std::shared_ptr<const CueField> shadow; ///< occlusion towards the shadow's light
+    glm::dvec3 lightEye{0, 0, 1};           ///< the shadow's, unit
+    std::shared_ptr<const CueField> halo;   ///< 0..1
 };
 
 /// A part of the renderer that a figure may need.
@@ -158,6 +124,10 @@ struct RenderPlan {
     std::shared_ptr<const SkipGrid> skip;
     std::shared_ptr<const StyleAtlas> atlas;  ///< null where no layer draws a lit sphere
     std::optional<PlanImportance> importance; ///< absent: ordinary composition
+    std::optional<PlanCut> faces;             ///< of the figure's cuts, where they are drawn flat; rays end at them
+    std::optional<PlanDepthCues> cues;
+    /// Blurred copies of the volume for depth of field (optics::kBlurLevels), int16; empty where no layer has any.
+    std::vector<std::shared_ptr<const Volume>> blurs;
     /// Absent where all samples read the atlas's finest picture: it then has no other.
     std::optional<PlanMipLevels> mipLevels;
 

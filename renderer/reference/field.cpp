@@ -127,6 +127,25 @@ double trilinearAt(const Volume& volume, const glm::dvec3& positionVoxel) {
     return volume.valueFromStored(interpolate(volume, movedOntoLastCentre(volume, positionVoxel)));
 }
 
+glm::dvec3 trilinearSlope(const Volume& volume, const glm::dvec3& positionVoxel) {
+    const glm::dvec3 p = movedOntoLastCentre(volume, positionVoxel);
+    const glm::ivec3 cell(glm::floor(p));
+    const glm::dvec3 f = p - glm::floor(p);
+    glm::dvec3 slope(0);
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::ivec3 at(corner & 1, corner >> 1 & 1, corner >> 2);
+        const double stored = volume.storedAt(cell + at);
+        for (int axis = 0; axis < 3; ++axis) {
+            double weight = at[axis] == 1 ? 1 : -1;
+            for (int other = 0; other < 3; ++other) {
+                weight *= other == axis ? 1 : at[other] == 1 ? f[other] : 1 - f[other];
+            }
+            slope[axis] += weight * stored;
+        }
+    }
+    return volume.contents().slope * slope;
+}
+
 double valueAt(const RenderPlan& plan, const glm::dvec3& positionVoxel) {
     if (plan.interpolation == Interpolation::linear) {
         return trilinearAt(*plan.field, positionVoxel);
@@ -148,6 +167,10 @@ glm::dvec3 indexGradient(const RenderPlan& plan, const glm::dvec3& positionVoxel
     case GradientEstimator::central: break;
     }
     return volumeUnits(plan) * differences(field, positionVoxel, false);
+}
+
+glm::dvec3 eyeGradient(const RenderPlan& plan, const glm::dvec3& positionVoxel) {
+    return plan.rays.eyeFromGradient * indexGradient(plan, positionVoxel);
 }
 
 Derivatives indexBend(const RenderPlan& plan, const glm::dvec3& positionVoxel) {

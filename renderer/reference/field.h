@@ -20,6 +20,9 @@ double valueAt(const RenderPlan& plan, const glm::dvec3& positionVoxel);
 /// Neumann's are taken at the voxels and interpolated trilinearly; the B-spline's is its own derivative.
 glm::dvec3 indexGradient(const RenderPlan& plan, const glm::dvec3& positionVoxel);
 
+/// Gradient by the plan's estimator in eye space, data's unit per mm.
+glm::dvec3 eyeGradient(const RenderPlan& plan, const glm::dvec3& positionVoxel);
+
 /// First and second derivatives of a field along the index axes.
 struct Derivatives {
     glm::dvec3 gradient;
@@ -29,7 +32,8 @@ struct Derivatives {
 /// Of the cubic B-spline that the plan's bend field steers, in its stored units per voxel and per voxel squared.
 Derivatives indexBend(const RenderPlan& plan, const glm::dvec3& positionVoxel);
 
-/// Trilinear value of any volume in its unit.
+/// Trilinear value of any volume in its unit, and the derivative of that interpolant along the index axes.
 double trilinearAt(const Volume& volume, const glm::dvec3& positionVoxel);
+glm::dvec3 trilinearSlope(const Volume& volume, const glm::dvec3& positionVoxel);
 
 } // namespace limner::reference

@@ -63,9 +63,8 @@ double ImportanceRay::importanceOf(const PlanLayer& layer, const SampleFacts& fa
     return optics::importanceOfVisible(std::min(total, settings_.cap), extinction, settings_.noiseFloor);
 }
 
-double ImportanceRay::add(const PlanLayer& layer, const SampleFacts& facts, const LayerSample& sample,
-                          double lengthRatio) {
-    const double opacity = optics::opacityOfLength(sample.opacity, lengthRatio);
+double ImportanceRay::add(const PlanLayer& layer, const SampleFacts& facts, const LayerSample& sample) {
+    const double opacity = optics::opacityOfLength(sample.opacity, sample.lengthRatio);
     if (!(opacity > 0)) {
         return 1;
     }

@@ -11,9 +11,8 @@ class ImportanceRay {
     /// `weight`: the global one at the ray's pixel, above 0.
     ImportanceRay(const RenderPlan& plan, const Ray& ray, double weight);
 
-    /// Composes one layer at one sample; `lengthRatio`: of the sample's length to the reference length. Gives the share
-    /// of the colour so far that stays.
-    double add(const PlanLayer& layer, const SampleFacts& facts, const LayerSample& sample, double lengthRatio);
+    /// Composes one layer at one sample. Gives the share of the colour so far that stays.
+    double add(const PlanLayer& layer, const SampleFacts& facts, const LayerSample& sample);
 
     /// Share of the picture's colour that nothing behind can change.
     [[nodiscard]] double certain() const;

@@ -5,6 +5,7 @@
 #include "core/optics/texture.h"
 #include "core/optics/transparency.h"
 #include "renderer/reference/field.h"
+#include "renderer/reference/layer_parts.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -23,10 +24,6 @@ glm::dvec4 fromRgba(const Rgba& c) { return {c.r, c.g, c.b, c.a}; }
 
 bool anyLayer(const RenderPlan& plan, bool (*reads)(const PlanLayer&)) {
     return std::any_of(plan.layers.begin(), plan.layers.end(), reads);
-}
-
-glm::dvec3 eyeGradient(const RenderPlan& plan, const glm::dvec3& positionVoxel) {
-    return plan.rays.eyeFromGradient * indexGradient(plan, positionVoxel);
 }
 
 Normal unitNormal(const glm::dvec3& gradientEye) {
@@ -66,15 +63,7 @@ bool readsTurn(const PlanLayer& layer) {
 
 SurfaceSample surfaceSample(const RenderPlan& plan, const Ray& ray, double positionMm) {
     const glm::dvec3 position = ray.positionVoxel(positionMm);
-    const glm::dvec3 g = eyeGradient(plan, position);
-    const Normal normalEye = unitNormal(g);
-    const double magnitude = std::hypot(g.x, g.y, g.z);
-    SurfaceSample sample;
-    sample.normalRay =
-        optics::normalInRayFrame<double>(normalEye, {ray.directionEye.x, ray.directionEye.y, ray.directionEye.z});
-    sample.normalMm = glm::transpose(plan.rays.eyeFromMm) * glm::dvec3(normalEye.x, normalEye.y, normalEye.z);
-    sample.definedness = optics::normalDefinedness(magnitude, plan.gradientFloor);
-    sample.magnitude = magnitude / plan.gradientMax;
+    SurfaceSample sample = surfaceOf(plan, ray.directionEye, eyeGradient(plan, position));
     if (anyLayer(plan, readsSecondDerivatives)) {
         sample.bend = sample.definedness * bendAt(plan, position, -ray.directionEye);
     }
@@ -310,7 +299,8 @@ glm::dvec4 colourOf(const RenderPlan& plan, const PlanLayer& layer, const Transf
     if (layer.shading == Shading::flat) {
         return {glm::dvec3(plain) * ink, 1};
     }
-    const optics::PhongTerms<double> terms{layer.specular.strength, layer.specular.exponent};
+    const optics::PhongTerms<double> terms{layer.light.ambient, layer.light.diffuse, layer.specular.strength,
+                                           layer.specular.exponent};
     const auto lit =
         optics::phong<double>({plain.r, plain.g, plain.b}, optics::facing(surface.normalRay.z, layer.twoSided), terms);
     return {glm::dvec3(lit.r, lit.g, lit.b) * ink, 1};
@@ -330,9 +320,24 @@ LayerSample shadeRow(const RenderPlan& plan, const PlanLayer& layer, const Sampl
 
 } // namespace
 
-SampleFacts sampleFacts(const RenderPlan& plan, const Ray& ray, double positionMm, double value) {
+SurfaceSample surfaceOf(const RenderPlan& plan, const glm::dvec3& directionEye, const glm::dvec3& gradientEye) {
+    const Normal normalEye = unitNormal(gradientEye);
+    const double magnitude = std::hypot(gradientEye.x, gradientEye.y, gradientEye.z);
+    SurfaceSample sample;
+    sample.normalRay = optics::normalInRayFrame<double>(normalEye, {directionEye.x, directionEye.y, directionEye.z});
+    sample.normalMm = glm::transpose(plan.rays.eyeFromMm) * glm::dvec3(normalEye.x, normalEye.y, normalEye.z);
+    sample.definedness = optics::normalDefinedness(magnitude, plan.gradientFloor);
+    sample.magnitude = magnitude / plan.gradientMax;
+    return sample;
+}
+
+SampleFacts sampleFacts(const RenderPlan& plan, const Ray& ray, const Segment& segment, double value) {
     SampleFacts facts;
+    const double positionMm = segment.positionMm;
     facts.value = value;
+    facts.directionEye = ray.directionEye;
+    facts.directionMm = plan.rays.mmFromVoxel * ray.directionVoxel;
+    facts.lengthMm = segment.lengthMm;
     facts.positionVoxel = glm::min(ray.positionVoxel(positionMm), glm::dvec3(plan.volume->grid().dims - 1));
     if (plan.rays.perspective) {
         // Along the view's middle; 1 at the target plane, where a pixel is as wide as planned.
@@ -352,6 +357,9 @@ SampleFacts sampleFacts(const RenderPlan& plan, const Ray& ray, double positionM
     if (plan.labels) {
         facts.membership = membershipAt(*plan.labels, facts.positionVoxel);
     }
+    if (plan.faces) {
+        layOntoFace(plan, *plan.faces, facts);
+    }
     return facts;
 }
 
@@ -359,7 +367,10 @@ double opacityOf(const PlanLayer& layer, double value) {
     return std::clamp(opacityAt(layer.source->transfer.opacity, value) * layer.source->opacity, 0.0, 1.0);
 }
 
-LayerSample shadeLayer(const RenderPlan& plan, const PlanLayer& layer, const SampleFacts& facts) {
+namespace {
+
+/// What the transfer function, contours and transparency make of a sample.
+LayerSample classified(const RenderPlan& plan, const PlanLayer& layer, const SampleFacts& facts) {
     if (!readsLabels(layer)) {
         return shadeRow(plan, layer, facts, 0);
     }
@@ -381,6 +392,23 @@ LayerSample shadeLayer(const RenderPlan& plan, const PlanLayer& layer, const Sam
         sum.colour = {sum.colour.r / sum.opacity, sum.colour.g / sum.opacity, sum.colour.b / sum.opacity};
     }
     return sum;
+}
+
+} // namespace
+
+LayerSample shadeLayer(const RenderPlan& plan, const PlanLayer& layer, const SampleFacts& facts) {
+    const bool cutFaces = layer.cut && layer.cut->faces;
+    if (!layer.focus && !cutFaces) {
+        return withCues(plan, facts, withParts(plan, layer, facts, classified(plan, layer, facts)));
+    }
+    SampleFacts own = facts;
+    if (layer.focus) {
+        blur(plan, *layer.focus, own);
+    }
+    if (cutFaces) {
+        layOntoFace(plan, *layer.cut, own);
+    }
+    return withCues(plan, facts, withParts(plan, layer, own, classified(plan, layer, own)));
 }
 
 } // namespace limner::reference

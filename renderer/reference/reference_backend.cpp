@@ -80,10 +80,9 @@ class Marcher {
             return;
         }
         ++counts.shaded;
-        const reference::SampleFacts facts = reference::sampleFacts(plan_, ray, segment.positionMm, value);
+        const reference::SampleFacts facts = reference::sampleFacts(plan_, ray, segment, value);
         for (const PlanLayer& layer : plan_.layers) {
-            gathered.add(layer, facts, reference::shadeLayer(plan_, layer, facts),
-                         segment.lengthMm / plan_.referenceLengthMm);
+            gathered.add(layer, facts, reference::shadeLayer(plan_, layer, facts));
         }
     }
 
@@ -95,13 +94,12 @@ class Marcher {
             return gathered;
         }
         ++counts.shaded;
-        const reference::SampleFacts facts = reference::sampleFacts(plan_, ray, segment.positionMm, value);
+        const reference::SampleFacts facts = reference::sampleFacts(plan_, ray, segment, value);
         for (const PlanLayer& layer : plan_.layers) {
             const reference::LayerSample sample = reference::shadeLayer(plan_, layer, facts);
             if (sample.opacity > 0) {
-                gathered = optics::compositeBehind(
-                    gathered, sample.colour,
-                    optics::opacityOfLength(sample.opacity, segment.lengthMm / plan_.referenceLengthMm));
+                gathered = optics::compositeBehind(gathered, sample.colour,
+                                                   optics::opacityOfLength(sample.opacity, sample.lengthRatio));
             }
         }
         return gathered;

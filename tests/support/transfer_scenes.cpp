@@ -2,6 +2,7 @@
 
 #include "renderer/accuracy/analytic_scenes.h"
 #include "support/make_volume.h"
+#include "support/part_scenes.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -383,6 +384,7 @@ const std::vector<TransferFeature>& transferFeatures() {
         addLooks(all);
         addLabelsAndEstimators(all);
         addImportance(all);
+        addPartFeatures(all);
         return all;
     }();
     return features;

@@ -139,7 +139,7 @@ TEST(GradientFloor, BlendsBetweenOnceAndTwiceTheFloor) {
 }
 
 TEST(Phong, IsTheHeadLightLaw) {
-    const PhongTerms<double> terms{0.2, 10};
+    const PhongTerms<double> terms{0.1, 0.7, 0.2, 10};
     const Colour<double> bone{0.9, 0.8, 0.7};
     for (const double cosine : {0.0, 0.3, 0.8, 1.0}) {
         const double expected = 0.8 * (0.1 + 0.7 * cosine) + 0.2 * std::pow(cosine, 10);

@@ -152,7 +152,7 @@ CurvatureErrors curvatureErrors(const Torus& torus, int pixels) {
             continue;
         }
         const double start = plan.volume->grid().mmFromVoxel(ray->positionVoxel(0)).z;
-        const reference::SampleFacts facts = reference::sampleFacts(plan, *ray, *depth - start, 0);
+        const reference::SampleFacts facts = reference::sampleFacts(plan, *ray, {*depth - start, 0}, 0);
         const double turn = facts.turns.front().second;
         const glm::dvec3 before = torus.normal(mm + view); // a voxel towards the viewer
         const double angle =

@@ -76,7 +76,7 @@ Measures measure(const Scan& scan, const std::shared_ptr<const Volume>& volume) 
         if (!hit) {
             return;
         }
-        const auto facts = reference::sampleFacts(*plan, *ray, *hit, scan.bone);
+        const auto facts = reference::sampleFacts(*plan, *ray, {*hit, 0}, scan.bone);
         const auto at = static_cast<std::size_t>(i);
         measures.bend[at] = facts.surface.bend;
         measures.turn[at] = facts.turns.front().second;

@@ -1,0 +1,216 @@
+#include "renderer/plan/coarse_opacity.h"
+
+#include "core/optics/layers.h"
+#include "core/style/ramps.h"
+#include "renderer/plan/plan_parts.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace limner {
+
+namespace {
+
+/// A slab of values in the data's unit: slices z0 to z1, clamped to the volume.
+class Slab {
+  public:
+    Slab(const Volume& volume, int z0, int z1) : dims_(volume.grid().dims), z0_(z0) {
+        const glm::ivec3 dims = dims_;
+        values_.resize(static_cast<std::size_t>(z1 - z0 + 1) * static_cast<std::size_t>(dims.x) *
+                       static_cast<std::size_t>(dims.y));
+        std::vector<std::byte> row(static_cast<std::size_t>(dims.x) * bytesPerVoxel(volume.type()));
+        float* out = values_.data();
+        for (int z = z0; z <= z1; ++z) {
+            for (int y = 0; y < dims.y; ++y, out += dims.x) {
+                volume.copyRow(y, std::clamp(z, 0, dims.z - 1), row.data());
+                read(volume, row.data(), out);
+            }
+        }
+    }
+
+    [[nodiscard]] float at(int x, int y, int z) const {
+        const auto column = static_cast<std::size_t>(std::clamp(x, 0, dims_.x - 1));
+        const auto row = static_cast<std::size_t>(std::clamp(y, 0, dims_.y - 1));
+        const auto slice = static_cast<std::size_t>(z - z0_);
+        return values_[(slice * static_cast<std::size_t>(dims_.y) + row) * static_cast<std::size_t>(dims_.x) + column];
+    }
+
+    /// Data's unit per mm, by central differences.
+    [[nodiscard]] double gradientAt(int x, int y, int z, const glm::dvec3& spacing) const {
+        const glm::dvec3 twice(at(x + 1, y, z) - at(x - 1, y, z), at(x, y + 1, z) - at(x, y - 1, z),
+                               at(x, y, z + 1) - at(x, y, z - 1));
+        return glm::length(0.5 * twice / spacing);
+    }
+
+  private:
+    void read(const Volume& volume, const std::byte* stored, float* out) const {
+        const auto convert = [&](const auto* numbers) {
+            for (int x = 0; x < dims_.x; ++x) {
+                out[x] = static_cast<float>(volume.valueFromStored(static_cast<double>(numbers[x])));
+            }
+        };
+        switch (volume.type()) {
+        case VoxelType::uint8: convert(reinterpret_cast<const std::uint8_t*>(stored)); break;
+        case VoxelType::int16: convert(reinterpret_cast<const std::int16_t*>(stored)); break;
+        case VoxelType::float32: convert(reinterpret_cast<const float*>(stored)); break;
+        }
+    }
+
+    glm::ivec3 dims_;
+    int z0_;
+    std::vector<float> values_;
+};
+
+/// Opacity of a layer at a voxel, of a column as long as a cell.
+class ColumnOpacity {
+  public:
+    ColumnOpacity(const RenderPlan& plan, const PlanLayer& layer, int voxels)
+        : plan_(plan), layer_(layer), table_(layer.table) {
+        const auto column = [&](float a) {
+            return a >= 1 ? 1.0F : static_cast<float>(-std::expm1(voxels * std::log1p(-static_cast<double>(a))));
+        };
+        const bool plane = table_.rows > 0 && (table_.axisY == TransferAxis::gradient ||
+                                               (table_.axisY == TransferAxis::label && !layer.rowOfSlot.empty()));
+        rows_ = plane ? table_.rows : 1;
+        const std::vector<float>& source = plane ? table_.opacity2d : table_.opacity;
+        columns_.resize(source.size());
+        std::transform(source.begin(), source.end(), columns_.begin(), column);
+        const double entries = static_cast<double>(table_.opacity.size() - 1);
+        perValue_ = table_.high > table_.low ? entries / (table_.high - table_.low) : 0;
+        everywhere_ = table_.axisX == TransferAxis::value ? 0 : *std::max_element(columns_.begin(), columns_.end());
+        thins_ = layer.parts && layer.parts->gradientOpacity;
+        needsGradient_ = thins_ || (plane && table_.axisY == TransferAxis::gradient);
+    }
+
+    [[nodiscard]] float at(const Slab& slab, int x, int y, int z) const {
+        const float value = slab.at(x, y, z);
+        const std::size_t entry = entryOf(value);
+        const std::size_t size = table_.opacity.size();
+        float most = everywhere_;
+        if (everywhere_ == 0 && rows_ == 1) {
+            most = columns_[entry];
+        }
+        if (rows_ == 1 && !(most > 0)) {
+            return 0;
+        }
+        if (!layer_.shownSlots.empty() || !layer_.rowOfSlot.empty()) {
+            const auto slot = static_cast<std::size_t>(plan_.labels->storedAt({x, y, z}));
+            if (!layer_.shownSlots.empty() && layer_.shownSlots[slot] == 0) {
+                return 0;
+            }
+            if (!layer_.rowOfSlot.empty() && rows_ > 1) {
+                const int row = layer_.rowOfSlot[slot];
+                return row < 0 ? 0 : columns_[static_cast<std::size_t>(row) * size + entry];
+            }
+        }
+        if (!needsGradient_) {
+            return most;
+        }
+        const double unit = std::min(slab.gradientAt(x, y, z, plan_.volume->grid().spacingMm) / plan_.gradientMax, 1.0);
+        if (rows_ > 1) {
+            const double rowsOf = (unit - table_.lowY) / std::max(table_.highY - table_.lowY, 1e-30) * (rows_ - 1);
+            const auto row = static_cast<std::size_t>(std::clamp(std::lround(rowsOf), 0L, rows_ - 1L));
+            most = columns_[row * size + entry];
+        }
+        return thins_ ? most * gradientFactor(unit) : most;
+    }
+
+  private:
+    [[nodiscard]] std::size_t entryOf(float value) const {
+        const double entry = (static_cast<double>(value) - table_.low) * perValue_;
+        const auto last = static_cast<double>(table_.opacity.size() - 1);
+        return static_cast<std::size_t>(std::clamp(entry, 0.0, last) + 0.5);
+    }
+
+    [[nodiscard]] float gradientFactor(double unit) const {
+        const std::vector<float>& factors = layer_.parts->gradientTable;
+        return factors[static_cast<std::size_t>(unit * static_cast<double>(factors.size() - 1) + 0.5)];
+    }
+
+    const RenderPlan& plan_;
+    const PlanLayer& layer_;
+    const TransferTable& table_;
+    std::vector<float> columns_;
+    int rows_ = 1;
+    double perValue_ = 0;
+    float everywhere_ = 0; ///< axes without the value: their most
+    bool thins_ = false;
+    bool needsGradient_ = false;
+};
+
+/// Share of a cell's opacity that the figure's and the layer's cuts and the layer's fading by position leave.
+double keptOfCell(const RenderPlan& plan, const PlanLayer& layer, const PlanCut& figures, const glm::dvec3& voxel,
+                  double cellMm) {
+    const glm::dvec3 p = plan.volume->grid().mmFromVoxel(voxel);
+    double kept = 1;
+    for (const PlanCut* cut : {&figures, layer.cut ? &*layer.cut : nullptr}) {
+        for (std::size_t i = 0; cut != nullptr && i < cut->planes.size(); ++i) {
+            const PlanCut::Plane& plane = cut->planes[i];
+            kept = std::min(kept, optics::keptByPlane(plane.offsetMm - glm::dot(plane.normalMm, p), cellMm));
+        }
+    }
+    if (layer.parts && layer.parts->position) {
+        const double place = glm::dot(layer.parts->placeOfVoxel, glm::dvec4(voxel, 1));
+        kept *= std::min(positionTintAt(*layer.parts->position, place).a, 1.0);
+    }
+    return kept;
+}
+
+} // namespace
+
+int voxelsPerCell(const Grid& grid, int mostCells) {
+    const int longest = std::max({grid.dims.x, grid.dims.y, grid.dims.z});
+    return std::max(1, (longest + mostCells - 1) / mostCells);
+}
+
+CueField coarseOpacity(const RenderPlan& plan, int voxels) {
+    const Volume& volume = *plan.volume;
+    const glm::ivec3 dims = volume.grid().dims;
+    CueField field{(dims + voxels - 1) / voxels, voxels, 1, {}};
+    field.values.assign(static_cast<std::size_t>(field.dims.x) * static_cast<std::size_t>(field.dims.y) *
+                            static_cast<std::size_t>(field.dims.z),
+                        0.0F);
+    std::vector<ColumnOpacity> layers;
+    for (const PlanLayer& layer : plan.layers) {
+        layers.emplace_back(plan, layer, voxels);
+    }
+    const PlanCut figures = planCut(plan.clip, *plan.figure, plan.rays);
+    const double cellMm = voxels * volume.grid().smallestSpacingMm();
+    tbb::parallel_for(0, field.dims.z, [&](int cz) {
+        const int z0 = cz * voxels;
+        const int z1 = std::min(z0 + voxels, dims.z);
+        const Slab slab(volume, z0 - 1, z1);
+        std::size_t cell = static_cast<std::size_t>(cz) * static_cast<std::size_t>(field.dims.x) *
+                           static_cast<std::size_t>(field.dims.y);
+        for (int cy = 0; cy < field.dims.y; ++cy) {
+            for (int cx = 0; cx < field.dims.x; ++cx, ++cell) {
+                const glm::ivec3 low(cx * voxels, cy * voxels, z0);
+                const glm::ivec3 high = glm::min(low + voxels, dims);
+                double clear = 1;
+                for (std::size_t i = 0; i < layers.size(); ++i) {
+                    double sum = 0;
+                    for (int z = low.z; z < high.z; ++z)
+                        for (int y = low.y; y < high.y; ++y)
+                            for (int x = low.x; x < high.x; ++x) {
+                                sum += layers[i].at(slab, x, y, z);
+                            }
+                    const glm::ivec3 size = high - low;
+                    const double mean = sum / (static_cast<double>(size.x) * size.y * size.z);
+                    if (mean > 0) {
+                        const glm::dvec3 middle = (glm::dvec3(low) + glm::dvec3(high) - 1.0) * 0.5;
+                        clear *= 1 - mean * keptOfCell(plan, plan.layers[i], figures, middle, cellMm);
+                    }
+                }
+                field.values[cell] = static_cast<float>(1 - clear);
+            }
+        }
+    });
+    return field;
+}
+
+} // namespace limner

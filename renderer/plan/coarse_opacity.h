@@ -1,0 +1,16 @@
+#pragma once
+
+#include "renderer/plan/render_plan.h"
+
+namespace limner {
+
+/// How opaque the plan's layers make the volume, on cells of `voxelsPerCell`^3 voxels: for each cell the mean, over its
+/// voxels, of the opacity of a column of that matter as long as the cell; layers one behind the other. What a clip cuts
+/// away is clear. A sketch for depth cues: labels count by the nearest voxel, gradients by central differences, and
+/// axes other than value, gradient and label by the most they may show. Parallel, deterministic.
+CueField coarseOpacity(const RenderPlan& plan, int voxelsPerCell);
+
+/// Voxels per cell, so that no axis has more than `mostCells`.
+int voxelsPerCell(const Grid& grid, int mostCells);
+
+} // namespace limner
