@@ -82,7 +82,7 @@ class CueLanes {
             lit = hn::Sub(lit, hn::Mul(splat(cues_.ambientStrength), ambient(facts)));
         }
         if (cues_.shadow.values != nullptr) {
-            const Floats occlusion = CuePlace(cues_.shadow, facts.q).read(cues_.shadow.values);
+            const Floats occlusion = CuePlace(cues_.shadow, outside(cues_.shadow, facts)).read(cues_.shadow.values);
             const Vec3 light = {splat(cues_.light[0]), splat(cues_.light[1]), splat(cues_.light[2])};
             const Lanes dark =
                 optics::shadowed(Lanes{occlusion}, Lanes{dot(facts.normal.eye, light)}, Lanes{facts.trusted});
@@ -106,10 +106,16 @@ class CueLanes {
     }
 
   private:
+    HWY_INLINE Vec3 outside(const KernelCue& cue, const Facts<Field>& facts) const {
+        const Vec3 out = turned(scene_.cellFromEye, facts.normal.eye);
+        const Floats mm = hn::Mul(facts.trusted, splat(cue.outMm));
+        return {hn::MulAdd(out.x, mm, facts.q.x), hn::MulAdd(out.y, mm, facts.q.y), hn::MulAdd(out.z, mm, facts.q.z)};
+    }
+
     HWY_INLINE Floats ambient(const Facts<Field>& facts) const {
         Floats mean;
         Vec3 vector;
-        CuePlace(cues_.ambient, facts.q).readFour(cues_.ambient.values, mean, vector);
+        CuePlace(cues_.ambient, outside(cues_.ambient, facts)).readFour(cues_.ambient.values, mean, vector);
         const Floats along = dot(turned(scene_.mmFromEye, facts.normal.eye), vector);
         return optics::ambientOcclusion(Lanes{mean}, Lanes{along}, Lanes{facts.trusted}).v;
     }

@@ -89,6 +89,7 @@ struct KernelCue {
     std::int32_t dims[3]{1, 1, 1};
     float perCell = 1;
     float bias = 0;
+    float outMm = 0; ///< how far out of the surface it is read
 };
 
 struct KernelCues {

@@ -122,7 +122,8 @@ void BuiltScene::setCues(const RenderPlan& plan) {
     const PlanDepthCues& from = *plan.cues;
     KernelCues& to = scene_.cues;
     to.any = true;
-    const auto set = [](const std::shared_ptr<const CueField>& field, KernelCue& out) {
+    const double spacing = plan.volume->grid().smallestSpacingMm();
+    const auto set = [spacing](const std::shared_ptr<const CueField>& field, KernelCue& out) {
         if (!field) {
             return;
         }
@@ -133,6 +134,7 @@ void BuiltScene::setCues(const RenderPlan& plan) {
         const double per = field->voxelsPerCell;
         out.perCell = number(1 / per);
         out.bias = number((0.5 - kCellFromVoxel.x) / per - 0.5);
+        out.outMm = number(per * spacing);
     };
     set(from.ambient, to.ambient);
     set(from.shadow, to.shadow);

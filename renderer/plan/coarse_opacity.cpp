@@ -161,7 +161,32 @@ double keptOfCell(const RenderPlan& plan, const PlanLayer& layer, const PlanCut&
     return kept;
 }
 
+/// (1 2 1) / 4 along an axis, the border repeated.
+void smoothAlong(CueField& field, int axis) {
+    const std::vector<float> before = field.values;
+    const glm::ivec3 dims = field.dims;
+    const std::ptrdiff_t strides[] = {1, dims.x, static_cast<std::ptrdiff_t>(dims.x) * dims.y};
+    tbb::parallel_for(0, dims.z, [&](int z) {
+        for (int y = 0; y < dims.y; ++y) {
+            for (int x = 0; x < dims.x; ++x) {
+                const glm::ivec3 cell(x, y, z);
+                const std::ptrdiff_t at = x + y * strides[1] + z * strides[2];
+                const float* v = before.data() + at;
+                const float low = cell[axis] > 0 ? v[-strides[axis]] : v[0];
+                const float high = cell[axis] < dims[axis] - 1 ? v[strides[axis]] : v[0];
+                field.values[static_cast<std::size_t>(at)] = 0.25F * low + 0.5F * v[0] + 0.25F * high;
+            }
+        }
+    });
+}
+
 } // namespace
+
+void smooth(CueField& field) {
+    for (int axis = 0; axis < 3; ++axis) {
+        smoothAlong(field, axis);
+    }
+}
 
 int voxelsPerCell(const Grid& grid, int mostCells) {
     const int longest = std::max({grid.dims.x, grid.dims.y, grid.dims.z});

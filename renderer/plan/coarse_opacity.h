@@ -10,6 +10,9 @@ namespace limner {
 /// axes other than value, gradient and label by the most they may show. Parallel, deterministic.
 CueField coarseOpacity(const RenderPlan& plan, int voxelsPerCell);
 
+/// A binomial blur over three cells, of a field of one channel: its cells are not to be seen in what is made of them.
+void smooth(CueField& field);
+
 /// Voxels per cell, so that no axis has more than `mostCells`.
 int voxelsPerCell(const Grid& grid, int mostCells);
 

@@ -244,8 +244,11 @@ const DepthCueFields::Field& DepthCueFields::opacity(const RenderPlan& plan, int
         return layer.parts && layer.parts->position && layer.parts->position->axis == "view";
     });
     const glm::dvec3 view = fades ? plan.figure->camera.direction : glm::dvec3(0);
-    return opacities_.get({plan.volume, plan.labels, plan.figure->layers, plan.clip, view, voxels},
-                          [&] { return std::make_shared<const CueField>(coarseOpacity(plan, voxels)); });
+    return opacities_.get({plan.volume, plan.labels, plan.figure->layers, plan.clip, view, voxels}, [&] {
+        CueField field = coarseOpacity(plan, voxels);
+        smooth(field);
+        return std::make_shared<const CueField>(std::move(field));
+    });
 }
 
 void DepthCueFields::add(RenderPlan& plan, Task& task) {

@@ -76,6 +76,7 @@ struct CueField {
 };
 
 /// Depth cues, ready to draw (core/optics/layers.h); absent fields are not drawn.
+/// Ambient and shadow are read a cell out of the surface: matter must not shade the place that it is at.
 struct PlanDepthCues {
     const DepthCues* source = nullptr; ///< in the plan's figure
     /// Occlusion over all directions: its mean, and the mean of occlusion times direction (patient coordinates).

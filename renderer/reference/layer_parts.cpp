@@ -60,20 +60,28 @@ double cueAt(const CueField& field, const glm::dvec3& positionVoxel, int channel
     return sum;
 }
 
+/// A cell out of the surface.
+glm::dvec3 outside(const RenderPlan& plan, const CueField& field, const SampleFacts& facts) {
+    const Grid& grid = plan.volume->grid();
+    const double mm = field.voxelsPerCell * grid.smallestSpacingMm() * facts.surface.definedness;
+    return facts.positionVoxel + grid.mmToVoxelMatrix() * (mm * facts.surface.normalMm);
+}
+
 /// How much of a colour's light the cues leave.
 double litShare(const RenderPlan& plan, const PlanDepthCues& cues, const SampleFacts& facts) {
     const SurfaceSample& surface = facts.surface;
     double lit = 1;
     if (cues.ambient) {
-        const auto at = [&](int channel) { return cueAt(*cues.ambient, facts.positionVoxel, channel); };
+        const glm::dvec3 place = outside(plan, *cues.ambient, facts);
+        const auto at = [&](int channel) { return cueAt(*cues.ambient, place, channel); };
         const double along = glm::dot(surface.normalMm, glm::dvec3(at(1), at(2), at(3)));
         lit *=
             1 - cues.source->ambientOcclusion->strength * optics::ambientOcclusion(at(0), along, surface.definedness);
     }
     if (cues.shadow) {
-        lit *= 1 - cues.source->shadow->strength * optics::shadowed(cueAt(*cues.shadow, facts.positionVoxel, 0),
-                                                                    glm::dot(normalEyeOf(plan, facts), cues.lightEye),
-                                                                    surface.definedness);
+        lit *= 1 - cues.source->shadow->strength *
+                       optics::shadowed(cueAt(*cues.shadow, outside(plan, *cues.shadow, facts), 0),
+                                        glm::dot(normalEyeOf(plan, facts), cues.lightEye), surface.definedness);
     }
     return lit;
 }
