@@ -66,7 +66,7 @@ class VisibilityRays {
         }
         std::optional<reference::ImportanceRay> weighed;
         if (const double weight = globalWeightAt(plan_, place); weight > 0) {
-            weighed.emplace(plan_, *ray, weight);
+            weighed.emplace(plan_, weight);
         }
         double opacity = 0;
         std::vector<Part> parts;

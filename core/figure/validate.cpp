@@ -310,19 +310,6 @@ class Validator {
     std::vector<std::pair<std::string, std::string>> faces_; ///< of cuts: style and pointer
 };
 
-void addLayerParts(const Layer& layer, const std::string& pointer, std::vector<std::string>& lines) {
-    const auto kept = [&](bool used, const char* place, const char* what) {
-        if (used) {
-            lines.push_back(pointer + place + ": " + what + " kept but not drawn by this version");
-        }
-    };
-    const auto readsImportance = [&](const std::string& axis) { return axis == "importance"; };
-    kept(layer.transfer.kind == TransferKind::oneDimensional
-             ? readsImportance(layer.transfer.axis)
-             : std::any_of(layer.transfer.axes.begin(), layer.transfer.axes.end(), readsImportance),
-         "/transfer", "the axis \"importance\" is");
-}
-
 } // namespace
 
 std::vector<std::string> partsNotDrawn(const Figure& figure) {
@@ -332,11 +319,6 @@ std::vector<std::string> partsNotDrawn(const Figure& figure) {
             lines.push_back(std::string(pointer) + ": " + what + " kept but not drawn by this version");
         }
     };
-    for (std::size_t i = 0; i < figure.layers.size(); ++i) {
-        if (figure.draws(figure.layers[i])) {
-            addLayerParts(figure.layers[i], "/layers/" + std::to_string(i), lines);
-        }
-    }
     kept(figure.stipple.has_value(), "/stipple", "stipples are");
     kept(!figure.annotations.empty(), "/annotations", "annotations are");
     kept(figure.quality.tolerance.has_value(), "/quality/tolerance", "the tolerance is");

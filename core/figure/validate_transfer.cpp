@@ -27,6 +27,9 @@ class TransferChecks {
         if (name == "second" && !figure.secondVolume) {
             note(place, "the figure has no second scan", "give it one or take another axis");
         }
+        if (name == "importance" && !figure.importance) {
+            fatal(place, "the figure weighs nothing by importance", "weigh some measures, or take another axis");
+        }
         if (name == "distance" && !transfer.distance) {
             fatal("/distance", "nothing says what distances are measured from", "give a point or a label");
         } else if (name == "distance" && !transfer.distance->fromMm && !figure.labels) {

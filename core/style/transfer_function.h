@@ -82,13 +82,14 @@ struct AxisRanges {
     ValueRange second{0, 1};    ///< of the second volume
     ValueRange distance{0, 1};  ///< mm
     ValueRange curvature{0, 1}; ///< 1/mm
+    ValueRange importance{0, 1};
 };
 
 /// One dimension: over the value at least 1024 entries for 8-bit and 4096 for 16-bit and float data, over the volume's
 /// used range; where that is not too many, a whole number of entries per stored number. Over another axis 4096.
 /// Two dimensions: over the value at most 2048 entries, where there are fewer stored numbers a whole number of entries
 /// for each; over another axis 1024; 256 rows, or one per label. Every entry is the exact function, rounded to float.
-/// Gradient and importance range over [0, 1]. Parallel and thread-safe.
+/// The gradient ranges over [0, 1]. Parallel and thread-safe.
 TransferTable bakeTransfer(const Layer& layer, const Volume& volume, const AxisRanges& ranges = {});
 
 /// `ift`: node -> position in the list of distinct styles. Nodes with a plain colour get a style of their own (a

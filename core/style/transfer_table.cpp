@@ -49,8 +49,8 @@ ValueRange axisRange(TransferAxis axis, const Volume& volume, const AxisRanges& 
     case TransferAxis::second: range = ranges.second; break;
     case TransferAxis::distance: range = ranges.distance; break;
     case TransferAxis::curvature: range = ranges.curvature; break;
+    case TransferAxis::importance: range = ranges.importance; break;
     case TransferAxis::gradient:
-    case TransferAxis::importance:
     case TransferAxis::label: break;
     }
     if (!std::isfinite(range.low) || !std::isfinite(range.high)) {

@@ -242,6 +242,7 @@ struct KernelScene {
     const std::uint8_t* labels = nullptr; ///< label slots, uint8, laid out as the voxels
 
     KernelImportance importance;
+    KernelImportance axisImportance;  ///< what the axis "importance" of transfer functions adds up
     const KernelCut* faces = nullptr; ///< of the figure's cuts, where they are drawn flat
     KernelBlur blurs[3];              ///< where a layer has depth of field
     KernelCues cues;

@@ -8,6 +8,7 @@
 #endif
 
 #include "renderer/cpu/facts-inl.h" // names the target: before the formulas
+#include "renderer/cpu/measures-inl.h"
 #include "renderer/cpu/parts-inl.h"
 #include "renderer/cpu/style-inl.h"
 #include "renderer/cpu/texture-inl.h"
@@ -152,7 +153,9 @@ class LayerEvaluation {
             raw = axis.bricks != nullptr ? facts.other(axis.bricks) : distance(axis, facts.q);
             break;
         case TransferAxis::second: raw = facts.other(axis.bricks); break;
-        case TransferAxis::importance: raw = splat(0); break; // not measured: the plan says so
+        case TransferAxis::importance:
+            raw = ImportanceMeasures<Field>(scene_.axisImportance, facts).sum(splat(0));
+            break;
         case TransferAxis::value:
         case TransferAxis::label: break;
         }

@@ -62,8 +62,9 @@ void BuiltScene::setVolume(const RenderPlan& plan) {
     largest = std::max(largest, plan.secondVolume ? plan.secondVolume->bytes() : 0);
     largest = std::max(largest, plan.bendField ? plan.bendField->bytes() : 0);
     largest = std::max(largest, plan.blurs.empty() ? 0 : plan.blurs.front()->bytes());
-    largest =
-        std::max(largest, plan.importance && plan.importance->statistics ? plan.importance->statistics->bytes() : 0);
+    for (const auto* measures : {&plan.importance, &plan.axisMeasures}) {
+        largest = std::max(largest, *measures && (*measures)->statistics ? (*measures)->statistics->bytes() : 0);
+    }
     for (const PlanLayer& layer : plan.layers) {
         largest = std::max(largest, layer.distance ? layer.distance->bytes() : 0);
     }
@@ -144,49 +145,58 @@ void BuiltScene::setBends(const RenderPlan& plan) {
     }
 }
 
-void BuiltScene::setImportance(const RenderPlan& plan) {
-    if (!plan.importance) {
-        return;
-    }
-    const Importance& settings = *plan.importance->source;
+void BuiltScene::setMeasures(const PlanImportance& from, KernelImportance& out) const {
+    const Importance& settings = *from.source;
     const ImportanceWeights& w = settings.weights;
-    KernelImportance& out = scene_.importance;
     const auto number = [](double v) { return static_cast<float>(v); };
-    out.global = number(settings.global);
-    out.actsPerWeight = number(1 / settings.global);
     out.intensity = number(w.intensity);
-    out.extinction = number(w.extinction);
     out.gradient = number(w.gradient);
     out.silhouette = number(w.silhouette);
-    out.unocclusion = number(w.unocclusion);
     out.lighting = number(w.lighting);
     out.object = number(w.object);
-    out.background = number(settings.background);
-    out.limit = number(std::min(settings.cap, optics::kGreatestImportance));
-    out.noiseFloor = number(settings.noiseFloor);
-    const ValueRange& intensity = plan.importance->intensity;
+    const ValueRange& intensity = from.intensity;
     const double span = intensity.high - intensity.low;
     out.intensityScale = number(span > 0 ? valuePerEntry_ / span : 0);
     out.intensityBias = number(span > 0 ? (firstValue_ - intensity.low) / span : 0);
     out.silhouetteExponent = number(settings.silhouette.exponent);
     out.silhouetteLow = number(settings.silhouette.range.x);
     out.silhouetteHigh = number(settings.silhouette.range.y);
-    out.darkening = number(settings.silhouette.darkening);
     out.highlight = static_cast<unsigned>(settings.lighting.highlight);
     out.diffuse = static_cast<unsigned>(settings.lighting.diffuse);
     out.flat = static_cast<unsigned>(settings.lighting.gradient);
     for (int i = 0; i < 3; ++i) {
-        out.light[i] = number(plan.importance->lightEye[i]);
+        out.light[i] = number(from.lightEye[i]);
     }
+    if (!from.weightOfSlot.empty()) {
+        out.weightOfSlot = from.weightOfSlot.data();
+    }
+    if (from.statistics) {
+        out.statisticsWeight = number(w.statistics * from.statistics->contents().slope);
+        out.statistics = reinterpret_cast<const std::uint8_t*>(from.statistics->bricks());
+    }
+}
+
+void BuiltScene::setImportance(const RenderPlan& plan) {
+    if (plan.axisMeasures) {
+        setMeasures(*plan.axisMeasures, scene_.axisImportance);
+    }
+    if (!plan.importance) {
+        return;
+    }
+    const Importance& settings = *plan.importance->source;
+    KernelImportance& out = scene_.importance;
+    setMeasures(*plan.importance, out);
+    const auto number = [](double v) { return static_cast<float>(v); };
+    out.global = number(settings.global);
+    out.actsPerWeight = number(1 / settings.global);
+    out.extinction = number(settings.weights.extinction);
+    out.unocclusion = number(settings.weights.unocclusion);
+    out.background = number(settings.background);
+    out.limit = number(std::min(settings.cap, optics::kGreatestImportance));
+    out.noiseFloor = number(settings.noiseFloor);
+    out.darkening = number(settings.silhouette.darkening);
     for (const PlanLayer& layer : plan.layers) {
         out.layerMost = std::max(out.layerMost, number(layer.source->importanceWeight));
-    }
-    if (!plan.importance->weightOfSlot.empty()) {
-        out.weightOfSlot = plan.importance->weightOfSlot.data();
-    }
-    if (plan.importance->statistics) {
-        out.statisticsWeight = number(w.statistics * plan.importance->statistics->contents().slope);
-        out.statistics = reinterpret_cast<const std::uint8_t*>(plan.importance->statistics->bricks());
     }
     ahead_.emplace(plan);
     const std::array<double, 4>& slab = ahead_->slabFromVoxel();

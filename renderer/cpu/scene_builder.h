@@ -29,6 +29,7 @@ class BuiltScene {
     void setTables(const RenderPlan& plan);
     void setGradients(const RenderPlan& plan);
     void setBends(const RenderPlan& plan);
+    void setMeasures(const PlanImportance& from, KernelImportance& out) const;
     void setImportance(const RenderPlan& plan);
     void setValueTable(const RenderPlan& plan, std::vector<float> visibility);
     /// Range and number of a table's entries along an axis.

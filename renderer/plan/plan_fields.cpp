@@ -28,6 +28,11 @@ const std::shared_ptr<const Volume>& labelsOf(const RenderPlan& plan) {
     return plan.figure->labels->data;
 }
 
+/// Whether composition or an axis weighs labelled objects.
+bool readsObjects(const RenderPlan& plan) {
+    return (plan.importance || plan.axisMeasures) && weighsObjects(*plan.figure->importance);
+}
+
 /// Every label that a layer names gets a slot of its own; 0 is for all others.
 std::map<int, std::uint8_t> slotsOf(const RenderPlan& plan) {
     std::map<int, std::uint8_t> slots;
@@ -44,8 +49,8 @@ std::map<int, std::uint8_t> slotsOf(const RenderPlan& plan) {
             std::for_each(layer.source->labels->begin(), layer.source->labels->end(), add);
         }
     }
-    if (plan.importance && weighsObjects(*plan.importance->source)) {
-        for (const ObjectImportance& object : plan.importance->source->objects) {
+    if (readsObjects(plan)) {
+        for (const ObjectImportance& object : plan.figure->importance->objects) {
             add(object.label);
         }
     }
@@ -171,6 +176,9 @@ AxisRanges PlanFields::axisRanges(const RenderPlan& plan, const Layer& layer, Ta
         ranges.distance = {0, origin && origin->fromMm ? greatestDistanceMm(plan.volume->grid(), *origin->fromMm)
                                                        : distanceMap(plan, layer, task)->range().high};
     }
+    if (plan.figure->importance) {
+        ranges.importance = {0, greatestOfPlace(*plan.figure->importance)};
+    }
     // A ball of two voxels' radius is the smallest whose curvature voxels can hold.
     ranges.curvature = {0, 0.5 / plan.volume->grid().smallestSpacingMm()};
     return ranges;
@@ -191,10 +199,12 @@ void PlanFields::addFields(RenderPlan& plan, Task& task) {
             layer.distance = distanceMap(plan, *layer.source, task);
         }
     }
-    if (plan.importance && plan.importance->source->weights.statistics > 0) {
-        const double sigma = plan.importance->source->statisticsVoxels;
-        plan.importance->statistics =
-            statistics_.get({plan.volume, sigma}, [&] { return localContrast(*plan.volume, sigma, task); });
+    for (auto* measures : {&plan.importance, &plan.axisMeasures}) {
+        if (*measures && (*measures)->source->weights.statistics > 0) {
+            const double sigma = (*measures)->source->statisticsVoxels;
+            (*measures)->statistics =
+                statistics_.get({plan.volume, sigma}, [&] { return localContrast(*plan.volume, sigma, task); });
+        }
     }
     const auto readsSecond = [](const PlanLayer& layer) { return readsAxis(layer, TransferAxis::second); };
     if (std::any_of(plan.layers.begin(), plan.layers.end(), readsSecond)) {
@@ -211,7 +221,7 @@ void PlanFields::addLabels(RenderPlan& plan, Task& task) {
     const auto reads = [](const PlanLayer& layer) {
         return layer.source->labels.has_value() || readsAxis(layer, TransferAxis::label);
     };
-    const bool objects = plan.importance && weighsObjects(*plan.importance->source);
+    const bool objects = readsObjects(plan);
     if (std::none_of(plan.layers.begin(), plan.layers.end(), reads) && !objects) {
         return;
     }
@@ -219,8 +229,10 @@ void PlanFields::addLabels(RenderPlan& plan, Task& task) {
     const std::map<int, std::uint8_t> slots = slotsOf(plan);
     plan.labels =
         slots_.get({labels, plan.volume, slots}, [&] { return labelSlots(*labels, plan.volume->grid(), slots, task); });
-    if (objects) {
-        plan.importance->weightOfSlot = weightOfSlot(*plan.importance->source, slots);
+    for (auto* measures : {&plan.importance, &plan.axisMeasures}) {
+        if (objects && *measures) {
+            (*measures)->weightOfSlot = weightOfSlot(*(*measures)->source, slots);
+        }
     }
     for (PlanLayer& layer : plan.layers) {
         if (layer.source->labels) {

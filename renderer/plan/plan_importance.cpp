@@ -1,5 +1,6 @@
 #include "renderer/plan/plan_importance.h"
 
+#include "core/base/error.h"
 #include "renderer/plan/depth_cues.h"
 
 #include <glm/geometric.hpp>
@@ -15,6 +16,15 @@ bool weighsAnything(const Importance& importance) {
     const bool measured = w.intensity > 0 || w.extinction > 0 || readsNormal(importance) || w.unocclusion > 0 ||
                           weighsObjects(importance) || w.statistics > 0;
     return importance.global > 0 && ((measured && importance.cap > 0) || importance.background > 0);
+}
+
+PlanImportance measuresOf(const RenderPlan& plan, const Importance& figures) {
+    PlanImportance importance;
+    importance.source = &figures;
+    const glm::dvec3 light = figures.lighting.direction;
+    importance.lightEye = glm::length(light) > 0 ? glm::normalize(light) : glm::dvec3(0, 0, 1);
+    importance.intensity = plan.volume->range();
+    return importance;
 }
 
 } // namespace
@@ -34,15 +44,34 @@ std::optional<PlanImportance> planImportance(const RenderPlan& plan) {
     if (!figures || !weighsAnything(*figures)) {
         return std::nullopt;
     }
-    PlanImportance importance;
-    importance.source = &*figures;
-    const glm::dvec3 light = figures->lighting.direction;
-    importance.lightEye = glm::length(light) > 0 ? glm::normalize(light) : glm::dvec3(0, 0, 1);
-    importance.intensity = plan.volume->range();
+    PlanImportance importance = measuresOf(plan, *figures);
     for (const Lens& lens : figures->lenses) {
         importance.lenses.push_back(placeLens(lens, plan));
     }
     return importance;
+}
+
+double greatestOfPlace(const Importance& importance) {
+    const ImportanceWeights& w = importance.weights;
+    double object = 0;
+    for (const ObjectImportance& o : importance.objects) {
+        object = std::max(object, o.weight);
+    }
+    constexpr double kLighting = 3; // core/optics/measures.h
+    return w.intensity + w.gradient + w.silhouette + kLighting * w.lighting + w.object * object + w.statistics;
+}
+
+std::optional<PlanImportance> planAxisMeasures(const RenderPlan& plan) {
+    const auto reads = [](const PlanLayer& layer) { return readsAxis(layer, TransferAxis::importance); };
+    if (std::none_of(plan.layers.begin(), plan.layers.end(), reads)) {
+        return std::nullopt;
+    }
+    if (!plan.figure->importance) {
+        throw Error(ErrorKind::badInput, {"the figure cannot be drawn", "/importance",
+                                          "an axis of a layer is importance and the figure weighs nothing",
+                                          "weigh some measures, or take another axis"});
+    }
+    return measuresOf(plan, *plan.figure->importance);
 }
 
 double globalWeightAt(const RenderPlan& plan, glm::dvec2 place) {
@@ -51,9 +80,18 @@ double globalWeightAt(const RenderPlan& plan, glm::dvec2 place) {
                            : 0;
 }
 
+namespace {
+
+bool measuresReadNormal(const RenderPlan& plan) {
+    return (plan.importance && readsNormal(*plan.importance->source)) ||
+           (plan.axisMeasures && readsNormal(*plan.axisMeasures->source));
+}
+
+} // namespace
+
 bool readsNormal(const RenderPlan& plan) {
     return std::any_of(plan.layers.begin(), plan.layers.end(), [](const auto& layer) { return readsNormal(layer); }) ||
-           (plan.importance && readsNormal(*plan.importance->source)) || readNormals(plan.figure->depthCues);
+           measuresReadNormal(plan) || readNormals(plan.figure->depthCues);
 }
 
 bool readsGradientScale(const RenderPlan& plan) {
@@ -63,7 +101,7 @@ bool readsGradientScale(const RenderPlan& plan) {
     return (mixed && readsNormal(plan)) ||
            std::any_of(plan.layers.begin(), plan.layers.end(),
                        [](const auto& layer) { return readsGradientScale(layer); }) ||
-           (plan.importance && readsNormal(*plan.importance->source)) || readNormals(plan.figure->depthCues);
+           measuresReadNormal(plan) || readNormals(plan.figure->depthCues);
 }
 
 } // namespace limner

@@ -11,6 +11,13 @@ namespace limner {
 /// and rays.
 std::optional<PlanImportance> planImportance(const RenderPlan& plan);
 
+/// The measures that the axis "importance" of a layer reads, but for their fields; nothing where no layer does. Throws
+/// Error(badInput) where the figure weighs nothing.
+std::optional<PlanImportance> planAxisMeasures(const RenderPlan& plan);
+
+/// The most that those measures add up to.
+double greatestOfPlace(const Importance& importance);
+
 /// The figure's global weight at a place of the picture, in pixels, its lenses counted; 0 for a plan without
 /// importance: there the ordinary composition holds.
 double globalWeightAt(const RenderPlan& plan, glm::dvec2 place);

@@ -224,6 +224,7 @@ std::shared_ptr<const RenderPlan> Planner::plan(const Figure& figure, const Plan
     plan->gradientRounding = gradientRounding(*plan->gradientField);
     addLayers(*plan, request, task);
     plan->importance = planImportance(*plan);
+    plan->axisMeasures = planAxisMeasures(*plan);
     task.throwIfCancelled();
     cache_->fields.addFields(*plan, task);
     cache_->addSkipGrid(*plan, request);

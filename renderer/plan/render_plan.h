@@ -125,6 +125,9 @@ struct RenderPlan {
     std::shared_ptr<const SkipGrid> skip;
     std::shared_ptr<const StyleAtlas> atlas;  ///< null where no layer draws a lit sphere
     std::optional<PlanImportance> importance; ///< absent: ordinary composition
+    /// What the axis "importance" of transfer functions adds up: the measures of the figure's importance, whether it
+    /// composes or not, but extinction and unocclusion, which opacity itself makes. Absent where no layer reads it.
+    std::optional<PlanImportance> axisMeasures;
     std::optional<PlanCut> faces;             ///< of the figure's cuts, where they are drawn flat; rays end at them
     std::optional<PlanDepthCues> cues;
     /// Blurred copies of the volume for depth of field (optics::kBlurLevels), int16; empty where no layer has any.

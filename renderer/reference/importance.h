@@ -5,11 +5,14 @@
 
 namespace limner::reference {
 
+/// Weighted sum of the measures that are a function of place and view: all but extinction and unocclusion.
+double importanceOfPlace(const RenderPlan& plan, const PlanImportance& measures, const SampleFacts& facts);
+
 /// One ray's importance-aware composition in double (paper 001; core/optics/importance.h).
 class ImportanceRay {
   public:
     /// `weight`: the global one at the ray's pixel, above 0.
-    ImportanceRay(const RenderPlan& plan, const Ray& ray, double weight);
+    ImportanceRay(const RenderPlan& plan, double weight);
 
     /// Composes one layer at one sample. Gives the share of the colour so far that stays.
     double add(const PlanLayer& layer, const SampleFacts& facts, const LayerSample& sample);
@@ -24,11 +27,7 @@ class ImportanceRay {
     [[nodiscard]] double importanceOf(const PlanLayer& layer, const SampleFacts& facts, double extinction) const;
 
   private:
-    [[nodiscard]] double silhouettenessOf(const SampleFacts& facts) const;
-    [[nodiscard]] double lightingOf(const SampleFacts& facts) const;
-
     const RenderPlan& plan_;
-    const Ray& ray_;
     const Importance& settings_;
     double weight_;
     optics::ImportanceState<double> state_ = optics::startOfRay<double>();

@@ -5,6 +5,7 @@
 #include "core/optics/texture.h"
 #include "core/optics/transparency.h"
 #include "renderer/reference/field.h"
+#include "renderer/reference/importance.h"
 #include "renderer/reference/layer_parts.h"
 
 #include <glm/common.hpp>
@@ -123,7 +124,7 @@ double axisPosition(const RenderPlan& plan, const PlanLayer& layer, TransferAxis
         return layer.distance ? trilinearAt(*layer.distance, facts.positionVoxel)
                               : glm::distance(plan.volume->grid().mmFromVoxel(facts.positionVoxel),
                                               layer.distanceFromMm.value_or(glm::dvec3(0)));
-    case TransferAxis::importance: return 0; // not measured: the plan says so
+    case TransferAxis::importance: return importanceOfPlace(plan, *plan.axisMeasures, facts);
     case TransferAxis::value:
     case TransferAxis::label: break;
     }

@@ -61,7 +61,7 @@ class Marcher {
     }
 
     Gathered marchByImportance(const reference::Ray& ray, double weight, Counts& counts) const {
-        reference::ImportanceRay gathered(plan_, ray, weight);
+        reference::ImportanceRay gathered(plan_, weight);
         const reference::SampleSpan span = reference::samplesOf(ray, plan_.lattice);
         for (long k = span.first; k < span.end && 1 - gathered.certain() >= plan_.earlyTermination; ++k) {
             const reference::Segment segment = reference::segmentOf(ray, plan_.lattice, k);

@@ -205,6 +205,22 @@ void addAxes(Features& features) {
         add("line" + upper, true, [name](Layer& layer) { makeLine(layer, name); });
         add("plane" + upper, true, [name](Layer& layer) { makePlane(layer, "value", name); });
     }
+    const auto weighed = [&](const std::string& name, auto make) {
+        features.push_back({name, [make](Figure& figure) {
+                                only(figure).shading = Shading::style;
+                                ImportanceWeights& weights = figure.importance.emplace().weights;
+                                weights.intensity = 0.3;
+                                weights.gradient = 0.2;
+                                weights.lighting = 0.2;
+                                weights.object = 0.5;
+                                weights.statistics = 0.3;
+                                figure.importance->objects = {{3, 0.4}};
+                                figure.importance->global = 0; // composes the ordinary way
+                                make(only(figure));
+                            }});
+    };
+    weighed("lineImportance", [](Layer& layer) { makeLine(layer, "importance"); });
+    weighed("planeImportance", [](Layer& layer) { makePlane(layer, "value", "importance"); });
     add("planeDistanceFromPoint", false, [](Layer& layer) { makePlane(layer, "value", "distance"); });
     add("lineDistanceFromPoint", false, [](Layer& layer) { makeLine(layer, "distance"); });
     add("planeSwapped", true, [](Layer& layer) { makePlane(layer, "second", "value"); });
