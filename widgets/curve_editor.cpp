@@ -110,7 +110,7 @@ void CurveEditor::paintWords(QPainter& painter) const {
     small.setPointSizeF(small.pointSizeF() * 0.88);
     painter.setFont(small);
     painter.setPen(palette().color(QPalette::PlaceholderText));
-    const QRectF below(plot().left(), plot().bottom() + 2, plot().width(), kWords + kMargin - 4);
+    const QRectF below(plot().left(), plot().bottom() + 5, plot().width(), kWords + kMargin - 5);
     painter.drawText(below, Qt::AlignLeft | Qt::AlignTop, tr("0"));
     painter.drawText(below, Qt::AlignHCenter | Qt::AlignTop, axis_);
     painter.drawText(below, Qt::AlignRight | Qt::AlignTop, tr("1"));

@@ -4,10 +4,12 @@
 #include "widgets/layer_form.h"
 #include "widgets/layer_list.h"
 #include "widgets/layer_parts_form.h"
+#include "widgets/part_form.h"
 
 #include <QLabel>
 #include <QScrollArea>
 #include <QSplitter>
+#include <QTimer>
 #include <QVBoxLayout>
 
 namespace limner {
@@ -39,6 +41,10 @@ LayerPanel::LayerPanel(QWidget* parent)
     auto* whole = new QVBoxLayout(this);
     whole->setContentsMargins(0, 0, 0, 0);
     whole->addWidget(split);
+    for (PartForm* part : content->findChildren<PartForm*>())
+        connect(part, &PartForm::opened, scroll, [scroll, part] {
+            QTimer::singleShot(0, part, [=] { scroll->ensureWidgetVisible(part, 0, 4); }); // once it is laid out
+        });
     connect(layers_, &LayerList::edited, this, &LayerPanel::edited);
     connect(form_, &LayerForm::edited, this, &LayerPanel::edited);
     connect(parts_, &LayerPartsForm::edited, this, &LayerPanel::edited);

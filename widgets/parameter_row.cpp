@@ -38,11 +38,13 @@ ParameterRow::ParameterRow(std::string pointer, const Useful& useful, QWidget* p
     box_->setDecimals(useful.decimals);
     box_->setRange(parameter_->lowExcluded ? low + least : low, parameter_->high.value_or(useful.high));
     box_->setSingleStep((useful.high - useful.low) / 100);
+    const std::string& unit = parameter_->unit;
+    box_->setSuffix(unit.starts_with("mm") ? tr(" mm") : unit == "deg" ? tr("°") : QString());
     box_->setKeyboardTracking(false);
     box_->setAccessibleName(tr("%1, number").arg(label()));
     box_->setToolTip(tip);
     leaveWheelToPanel(box_);
-    constexpr int kBoxWidth = 88; // legal ranges reach 100000; that is no reason to take the slider's room
+    constexpr int kBoxWidth = 96; // legal ranges reach 100000; that is no reason to take the slider's room
     box_->setFixedWidth(kBoxWidth);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);

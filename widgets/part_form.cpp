@@ -84,6 +84,8 @@ void PartForm::setPresent(bool on) {
     const QString name = present_->text().toLower();
     submit(on ? tr("Add %1").arg(name) : tr("Remove %1").arg(name), {}, false,
            [&](Figure& changed) { put(changed, layer_, on); });
+    if (this->on())
+        Q_EMIT opened();
 }
 
 void PartForm::submit(const QString& label, const std::string& key, bool ongoing,

@@ -40,6 +40,8 @@ class PartForm : public QWidget {
 
   Q_SIGNALS:
     void edited(const limner::Edit& edit);
+    /// The user has switched the part on: its rows are there now.
+    void opened();
 
   protected:
     [[nodiscard]] virtual bool has(const Figure& figure, std::size_t layer) const = 0;

@@ -56,6 +56,8 @@ struct Panel {
     void drop(int row, QPoint at) {
         QMimeData data;
         data.setData(LayerRows::kMime, QByteArray::number(row));
+        QDragEnterEvent enter(at, Qt::MoveAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(rows().viewport(), &enter);
         QDropEvent event(at, Qt::MoveAction, &data, Qt::LeftButton, Qt::NoModifier);
         QCoreApplication::sendEvent(rows().viewport(), &event);
     }
@@ -173,6 +175,7 @@ TEST(LayerList, ALockedLayerStaysAsItIs) {
     EXPECT_FALSE(panel.rows().item(0)->flags().testFlag(Qt::ItemIsEditable));
     EXPECT_FALSE(panel.rows().item(0)->flags().testFlag(Qt::ItemIsDragEnabled));
     panel.drop(0, QPoint(5, panel.rows().viewport()->height() - 1));
+    EXPECT_EQ(panel.names(), "Bone Skin ");
     panel.rows().item(0)->setText("Other");
     panel.panel.form()->opacity()->setValue(20);
     panel.panel.parts()->part("/layers/*/tone")->present()->click();
