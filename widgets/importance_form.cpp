@@ -1,5 +1,6 @@
 #include "widgets/importance_form.h"
 
+#include "widgets/form_parts.h"
 #include "widgets/lens_form.h"
 #include "widgets/parameter_row.h"
 
@@ -13,24 +14,6 @@
 #include <algorithm>
 
 namespace limner {
-namespace {
-
-QLabel* heading(const QString& text) {
-    auto* label = new QLabel(text);
-    QFont bold = label->font();
-    bold.setBold(true);
-    label->setFont(bold);
-    return label;
-}
-
-QFormLayout* formLayout() {
-    auto* form = new QFormLayout;
-    form->setContentsMargins(0, 0, 0, 0);
-    form->setVerticalSpacing(4);
-    return form;
-}
-
-} // namespace
 
 Importance firstImportance() {
     Importance result;
@@ -58,10 +41,7 @@ void ImportanceForm::buildRows(QFormLayout* measures, QFormLayout* limits) {
     const auto add = [this](QFormLayout* form, const char* pointer, Useful useful, double& (*of)(I&)) {
         auto* row = new ParameterRow(pointer, useful);
         rows_.push_back({row, of});
-        auto* label = new QLabel(row->label());
-        label->setBuddy(row->slider());
-        label->setToolTip(row->slider()->toolTip());
-        form->addRow(label, row);
+        addLabelled(form, row->label(), row, row->slider());
         connect(row, &ParameterRow::changed, this, [=, this](double value, const std::string& key, bool ongoing) {
             if (!figure_ || !figure_->importance)
                 return;

@@ -1,5 +1,6 @@
 #include "widgets/label_list.h"
 
+#include "core/figure/layer_edits.h"
 #include "core/volume/derived_fields.h"
 #include "widgets/job.h"
 
@@ -135,6 +136,9 @@ void LabelList::showLabels() {
     if (!figure_ || !figure_->labels || layer_ >= figure_->layers.size())
         return;
     const Layer& layer = figure_->layers[layer_];
+    const bool changes = mayChange(*figure_, layer_);
+    all_->setEnabled(changes);
+    none_->setEnabled(changes);
     const QSignalBlocker quiet(list_);
     const int count = static_cast<int>(counts_.size());
     while (list_->count() > count)
@@ -148,7 +152,8 @@ void LabelList::showLabels() {
         const bool named = name != figure_->labels->names.end() && !name->second.empty();
         item->setText(named ? QString::fromStdString(name->second) : tr("Label %1").arg(label));
         item->setData(kLabelRole, label);
-        item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+        item->setFlags(Qt::ItemIsSelectable | Qt::ItemIsUserCheckable |
+                       (changes ? Qt::ItemIsEnabled : Qt::NoItemFlags));
         const bool shows =
             !layer.labels || std::find(layer.labels->begin(), layer.labels->end(), label) != layer.labels->end();
         item->setCheckState(shows ? Qt::Checked : Qt::Unchecked);
@@ -196,7 +201,7 @@ void LabelList::emitLabels(const std::vector<int>& shown, const QString& label) 
 }
 
 void LabelList::itemChanged(const QListWidgetItem* item) {
-    if (!figure_ || layer_ >= figure_->layers.size())
+    if (!figure_ || !mayChange(*figure_, layer_))
         return;
     const int label = item->data(kLabelRole).toInt();
     const bool wanted = item->checkState() == Qt::Checked;
@@ -208,7 +213,7 @@ void LabelList::itemChanged(const QListWidgetItem* item) {
 }
 
 void LabelList::setListed(Qt::CheckState state) {
-    if (!figure_ || layer_ >= figure_->layers.size())
+    if (!figure_ || !mayChange(*figure_, layer_))
         return;
     std::vector<int> labels = shown();
     for (int i = 0; i < list_->count(); ++i) {

@@ -1,15 +1,18 @@
 #include "widgets/layer_form.h"
 
+#include "core/figure/layer_edits.h"
+#include "widgets/form_parts.h"
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
 
 #include <cmath>
+#include <initializer_list>
 
 namespace limner {
 namespace {
@@ -17,16 +20,15 @@ namespace {
 constexpr int kSliderSteps = 200; // half a percent each
 constexpr double kThickestMm = 100;
 
-QHBoxLayout* row() {
-    auto* layout = new QHBoxLayout;
+/// Fields side by side; `wide` takes the room that is left.
+QWidget* row(std::initializer_list<QWidget*> fields, const QWidget* wide) {
+    auto* widget = new QWidget;
+    auto* layout = new QHBoxLayout(widget);
+    layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(6);
-    return layout;
-}
-
-QLabel* labelOf(const QString& text, QWidget* buddy) {
-    auto* label = new QLabel(text);
-    label->setBuddy(buddy);
-    return label;
+    for (QWidget* field : fields)
+        layout->addWidget(field, field == wide ? 1 : 0);
+    return widget;
 }
 
 template <class Value>
@@ -125,19 +127,15 @@ void LayerForm::buildContours() {
 }
 
 void LayerForm::layOut() {
-    QHBoxLayout* opacity = row();
-    opacity->addWidget(slider_, 1);
-    opacity->addWidget(percent_);
-    QHBoxLayout* contours = row();
-    contours->addWidget(contours_);
-    contours->addWidget(thickness_, 1);
-    contours->addWidget(evenWidth_);
-    auto* form = new QFormLayout(this);
-    form->setContentsMargins(0, 0, 0, 0);
-    form->addRow(labelOf(tr("&Opacity"), slider_), opacity);
-    form->addRow(labelOf(tr("Transpa&rency"), transparency_), transparency_);
-    form->addRow(labelOf(tr("Sh&ading"), shading_), shading_);
-    form->addRow(labelOf(tr("&Contours"), contours_), contours);
+    QWidget* opacity = row({slider_, percent_}, slider_);
+    QWidget* contours = row({contours_, thickness_, evenWidth_}, thickness_);
+    QFormLayout* form = formLayout(this);
+    addLabelled(form, tr("&Opacity"), opacity, slider_);
+    addLabelled(form, tr("Transpa&rency"), transparency_);
+    addLabelled(form, tr("Sh&ading"), shading_);
+    addLabelled(form, tr("&Contours"), contours, contours_);
+    for (QWidget* field : std::initializer_list<QWidget*>{slider_, percent_, transparency_, shading_, thickness_})
+        leaveWheelToPanel(field);
 }
 
 void LayerForm::setFigure(std::shared_ptr<const Figure> figure, std::size_t layer) {
@@ -148,7 +146,7 @@ void LayerForm::setFigure(std::shared_ptr<const Figure> figure, std::size_t laye
 
 void LayerForm::showLayer() {
     const QSignalBlocker quiet[] = {QSignalBlocker(slider_), QSignalBlocker(percent_), QSignalBlocker(thickness_)};
-    setEnabled(any());
+    setEnabled(any() && mayChange(*figure_, layer_));
     const Layer layer = any() ? figure_->layers[layer_] : Layer{};
     if (!slider_->isSliderDown())
         slider_->setValue(static_cast<int>(std::lround(layer.opacity * kSliderSteps)));
@@ -165,7 +163,7 @@ void LayerForm::showLayer() {
 }
 
 void LayerForm::editLayer(const Words& words, const std::function<void(Layer&)>& change) {
-    if (!any())
+    if (!any() || !mayChange(*figure_, layer_))
         return;
     Edit edit{*figure_, words.label.toStdString(), words.mergeKey, words.ongoing};
     change(edit.figure.layers[layer_]);

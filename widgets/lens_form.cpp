@@ -1,6 +1,6 @@
 #include "widgets/lens_form.h"
 
-#include "core/figure/parameters.h"
+#include "widgets/form_parts.h"
 #include "widgets/importance_form.h"
 #include "widgets/lens_place.h"
 #include "widgets/parameter_row.h"
@@ -9,7 +9,6 @@
 #include <QComboBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -23,8 +22,6 @@ namespace {
 
 constexpr std::size_t kMostLenses = 64; // that a figure may have
 constexpr int kListHeight = 72;         // three lenses; more scroll
-
-QString helpOf(const char* pointer) { return QString::fromStdString(findParameter(pointer)->help); }
 
 void choose(QComboBox* box, const std::string& word) {
     box->setCurrentIndex(box->findData(QString::fromStdString(word)));
@@ -43,9 +40,8 @@ LensForm::LensForm(QWidget* parent)
     add_->setToolTip(tr("Add a lens in the middle of the figure"));
     remove_->setToolTip(tr("Remove the chosen lens"));
     follows_->setToolTip(tr("The lens stays on the same place of the body as the view turns"));
-    auto* form = new QFormLayout(settings_);
     buildChoices();
-    buildRows(form);
+    buildRows(formLayout(settings_));
     layOut();
     connect(list_, &QListWidget::currentRowChanged, this, [this] {
         showLens();
@@ -65,12 +61,12 @@ void LensForm::buildChoices() {
     kind_->addItem(tr("Gaussian, fading out"), "gaussian");
     kind_->addItem(tr("Screen door, of dots"), "screendoor");
     kind_->setAccessibleName(tr("Kind of lens"));
-    kind_->setToolTip(helpOf("/importance/lenses/0/kind"));
+    kind_->setToolTip(helpOfSetting("/importance/lenses/0/kind"));
     shape_->addItem(tr("Circle"), "circle");
     shape_->addItem(tr("Ellipse"), "ellipse");
     shape_->addItem(tr("Box"), "box");
     shape_->setAccessibleName(tr("Shape of the lens"));
-    shape_->setToolTip(helpOf("/importance/lenses/0/shape"));
+    shape_->setToolTip(helpOfSetting("/importance/lenses/0/shape"));
     connect(kind_, &QComboBox::activated, this, [this](int row) {
         editLens(tr("Change kind of lens"), {}, false,
                  [&](Lens& lens) { lens.kind = kind_->itemData(row).toString().toStdString(); });
@@ -86,20 +82,12 @@ void LensForm::buildChoices() {
 }
 
 void LensForm::buildRows(QFormLayout* form) {
-    form->setContentsMargins(0, 0, 0, 0);
-    form->setVerticalSpacing(4);
-    const auto labelled = [&](const QString& text, QWidget* buddy, QWidget* field) {
-        auto* label = new QLabel(text);
-        label->setBuddy(buddy);
-        label->setToolTip(buddy->toolTip());
-        form->addRow(label, field);
-    };
-    labelled(tr("&Kind"), kind_, kind_);
-    labelled(tr("S&hape"), shape_, shape_);
+    addLabelled(form, tr("&Kind"), kind_);
+    addLabelled(form, tr("S&hape"), shape_);
     const auto add = [&](const char* pointer, ParameterRow::Useful useful, double& (*of)(Lens&)) {
         auto* row = new ParameterRow(pointer, useful);
         rows_.push_back({row, of});
-        labelled(row->label(), row->slider(), row);
+        addLabelled(form, row->label(), row, row->slider());
         connect(row, &ParameterRow::changed, this, [=, this](double value, const std::string& key, bool ongoing) {
             editLens(tr("Change %1 of lens").arg(row->label().toLower()), key, ongoing,
                      [&](Lens& lens) { of(lens) = value; });

@@ -1,9 +1,9 @@
 #include "widgets/parameter_row.h"
 
 #include "core/figure/parameters.h"
+#include "widgets/form_parts.h"
 
 #include <QDoubleSpinBox>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QImage>
 #include <QLabel>
@@ -32,19 +32,19 @@ ParameterRow::ParameterRow(std::string pointer, const Useful& useful, QWidget* p
     slider_->setPageStep(kSteps / 10);
     slider_->setAccessibleName(label());
     slider_->setToolTip(tip);
-    slider_->setFocusPolicy(Qt::StrongFocus);
-    slider_->installEventFilter(this);
+    leaveWheelToPanel(slider_);
     const double least = std::pow(10.0, -useful.decimals);
     const double low = parameter_->low.value_or(useful.low);
     box_->setDecimals(useful.decimals);
     box_->setRange(parameter_->lowExcluded ? low + least : low, parameter_->high.value_or(useful.high));
     box_->setSingleStep((useful.high - useful.low) / 100);
+    const std::string& unit = parameter_->unit;
+    box_->setSuffix(unit.starts_with("mm") ? tr(" mm") : unit == "deg" ? tr("°") : QString());
     box_->setKeyboardTracking(false);
     box_->setAccessibleName(tr("%1, number").arg(label()));
     box_->setToolTip(tip);
-    box_->setFocusPolicy(Qt::StrongFocus);
-    box_->installEventFilter(this);
-    constexpr int kBoxWidth = 88; // legal ranges reach 100000; that is no reason to take the slider's room
+    leaveWheelToPanel(box_);
+    constexpr int kBoxWidth = 96; // legal ranges reach 100000; that is no reason to take the slider's room
     box_->setFixedWidth(kBoxWidth);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -93,15 +93,6 @@ void ParameterRow::setValue(double value) {
     if (!slider_->isSliderDown())
         slider_->setValue(static_cast<int>(std::lround(share * kSteps)));
     box_->setValue(value);
-}
-
-bool ParameterRow::eventFilter(QObject* watched, QEvent* event) {
-    // A wheel that scrolls the panel must not change what happens to pass under the pointer.
-    if (event->type() == QEvent::Wheel && !static_cast<QWidget*>(watched)->hasFocus()) {
-        event->ignore();
-        return true;
-    }
-    return QWidget::eventFilter(watched, event);
 }
 
 } // namespace limner

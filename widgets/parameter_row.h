@@ -44,9 +44,6 @@ class ParameterRow : public QWidget {
     /// `key`: one per drag and per run of key presses. The last of a drag is not ongoing.
     void changed(double value, const std::string& key, bool ongoing);
 
-  protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
   private:
     [[nodiscard]] double sliderValue() const;
     void connectParts();

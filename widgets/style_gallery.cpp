@@ -1,5 +1,6 @@
 #include "widgets/style_gallery.h"
 
+#include "core/figure/layer_edits.h"
 #include "core/figure/transfer_edits.h"
 #include "widgets/style_image.h"
 #include "widgets/style_mime.h"
@@ -116,13 +117,17 @@ void StyleGallery::setFigure(std::shared_ptr<const Figure> figure, std::size_t l
 
 void StyleGallery::showTarget() {
     const bool any = figure_ && layer_ < figure_->layers.size();
-    list_->setEnabled(any);
+    list_->setEnabled(any && mayChange(*figure_, layer_));
     if (!any) {
         target_->setText(tr("Open a scan to use styles."));
         return;
     }
     const Layer& layer = figure_->layers[layer_];
     const QString name = QString::fromStdString(layer.name).toHtmlEscaped();
+    if (layer.locked) {
+        target_->setText(tr("<b>%1</b> is locked.").arg(name));
+        return;
+    }
     const bool node = node_ && *node_ < layer.transfer.nodes.size();
     target_->setText(node ? tr("A click replaces the selected style of <b>%1</b>.").arg(name)
                           : tr("A click styles all of <b>%1</b>.").arg(name));
@@ -140,7 +145,7 @@ void StyleGallery::showTarget() {
 }
 
 void StyleGallery::use(const QListWidgetItem* item) {
-    if (!item || !figure_ || layer_ >= figure_->layers.size())
+    if (!item || !figure_ || !mayChange(*figure_, layer_))
         return;
     const std::string id = item->data(Qt::UserRole).toString().toStdString();
     const auto style = std::find_if(styles_.begin(), styles_.end(), [&](const Style& s) { return s.card.id == id; });

@@ -1,5 +1,6 @@
 #include "widgets/transfer_canvas.h"
 
+#include "core/figure/layer_edits.h"
 #include "core/figure/transfer_edits.h"
 #include "core/style/lit_sphere.h"
 #include "core/style/transfer_function.h"
@@ -147,6 +148,8 @@ std::optional<std::size_t> TransferCanvas::segmentAt(QPointF position) const {
 }
 
 void TransferCanvas::emitTransfer(const Transfer& changed, const QString& label, const std::string& key, bool ongoing) {
+    if (!mayChange(*figure_, layer_))
+        return;
     Edit edit{*figure_, label.toStdString(), key, ongoing};
     edit.figure.layers[layer_].transfer = changed;
     Q_EMIT edited(edit);
@@ -412,7 +415,7 @@ void TransferCanvas::keyPressEvent(QKeyEvent* event) {
 }
 
 void TransferCanvas::dragEnterEvent(QDragEnterEvent* event) {
-    if (transfer() && event->mimeData()->hasFormat(kStyleMime))
+    if (transfer() && mayChange(*figure_, layer_) && event->mimeData()->hasFormat(kStyleMime))
         event->acceptProposedAction();
 }
 
@@ -427,7 +430,7 @@ void TransferCanvas::dragMoveEvent(QDragMoveEvent* event) {
 void TransferCanvas::dropEvent(QDropEvent* event) {
     dropValue_.reset();
     const std::string id = event->mimeData()->data(kStyleMime).toStdString();
-    const Style* style = transfer() ? findBundledStyle(id) : nullptr;
+    const Style* style = transfer() && mayChange(*figure_, layer_) ? findBundledStyle(id) : nullptr;
     if (!style)
         return;
     const auto handle = handleAt(event->position());

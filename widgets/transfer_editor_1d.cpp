@@ -1,5 +1,8 @@
 #include "widgets/transfer_editor_1d.h"
 
+#include "core/figure/layer_edits.h"
+#include "widgets/form_parts.h"
+
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -10,17 +13,6 @@
 #include <cmath>
 
 namespace limner {
-namespace {
-
-QToolButton* textButton(const QString& text, const QString& tip) {
-    auto* button = new QToolButton;
-    button->setText(text);
-    button->setToolTip(tip);
-    button->setToolButtonStyle(Qt::ToolButtonTextOnly);
-    return button;
-}
-
-} // namespace
 
 TransferEditor1d::TransferEditor1d(QWidget* parent)
     : QWidget(parent), canvas_(new TransferCanvas), what_(new QLabel), value_(new QDoubleSpinBox),
@@ -82,6 +74,8 @@ void TransferEditor1d::setFigure(std::shared_ptr<const Figure> figure, std::size
         const std::string& unit = volume->contents().unit;
         value_->setSuffix(unit.empty() ? QString() : " " + QString::fromStdString(unit));
     }
+    locked_ = figure && layer < figure->layers.size() && !mayChange(*figure, layer);
+    canvas_->setEnabled(!locked_);
     canvas_->setFigure(std::move(figure), layer);
 }
 
@@ -97,9 +91,12 @@ void TransferEditor1d::showSelection() {
     const QSignalBlocker quietOpacity(opacity_);
     const Transfer* t = canvas_->transfer();
     const auto& handle = canvas_->selected();
-    const bool point = t && handle && handle->kind == TransferCanvas::HandleKind::point;
-    const bool node = t && handle && handle->kind == TransferCanvas::HandleKind::node;
-    what_->setText(point ? tr("Point") : node ? tr("Style") : tr("Nothing selected"));
+    const bool point = !locked_ && t && handle && handle->kind == TransferCanvas::HandleKind::point;
+    const bool node = !locked_ && t && handle && handle->kind == TransferCanvas::HandleKind::node;
+    what_->setText(locked_ ? tr("The layer is locked")
+                   : point ? tr("Point")
+                   : node  ? tr("Style")
+                           : tr("Nothing selected"));
     value_->setVisible(point || node);
     opacity_->setVisible(point);
     if (point) {
@@ -108,7 +105,7 @@ void TransferEditor1d::showSelection() {
     } else if (node) {
         value_->setValue(t->nodes[handle->index].at);
     }
-    add_->setEnabled(t != nullptr);
+    add_->setEnabled(t && !locked_);
     step_->setEnabled(point);
     remove_->setEnabled(point || (node && t->nodes.size() > 1));
 }

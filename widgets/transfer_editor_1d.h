@@ -37,6 +37,7 @@ class TransferEditor1d : public QWidget {
     QToolButton* add_;
     QToolButton* step_;
     QToolButton* remove_;
+    bool locked_ = false; ///< the layer must stay as it is
 };
 
 } // namespace limner

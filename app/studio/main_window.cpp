@@ -6,6 +6,8 @@
 #include "widgets/job.h"
 #include "widgets/label_list.h"
 #include "widgets/layer_list.h"
+#include "widgets/layer_panel.h"
+#include "widgets/layer_rows.h"
 #include "widgets/lens_form.h"
 #include "widgets/lens_overlay.h"
 #include "widgets/notice_bar.h"
@@ -107,13 +109,14 @@ void MainWindow::buildPanels() {
     layout->addWidget(pages_, 1);
     setCentralWidget(centre);
 
-    layers_ = new LayerList;
+    layerPanel_ = new LayerPanel;
+    layers_ = layerPanel_->layers();
     labels_ = new LabelList;
     auto* layersAndLabels = new QWidget;
     auto* stack = new QVBoxLayout(layersAndLabels);
     stack->setContentsMargins(0, 0, 0, 0);
     stack->setSpacing(0);
-    stack->addWidget(layers_, 1);
+    stack->addWidget(layerPanel_, 2);
     stack->addWidget(labels_, 1);
     transfer_ = new TransferEditor1d;
     gallery_ = new StyleGallery;
@@ -127,7 +130,7 @@ void MainWindow::buildPanels() {
     tabifyDockWidget(transfer, importanceDock_);
     transfer->raise();
     resizeDocks({gallery, layers}, {kGalleryWidth, kPanelWidth}, Qt::Horizontal);
-    resizeDocks({layers, transfer}, {260, 420}, Qt::Vertical);
+    resizeDocks({layers, transfer}, {460, 300}, Qt::Vertical);
     QWidget* const order[] = {viewport_,         lens_,           gallery_->search(), gallery_->list(), layers_->list(),
                               labels_->search(), labels_->list(), transfer_->canvas()};
     for (std::size_t i = 1; i < std::size(order); ++i)
@@ -248,7 +251,7 @@ void MainWindow::connectActions() {
 void MainWindow::connectPanels() {
     const auto apply = [this](const Edit& edit) { document_->apply(edit); };
     connect(viewport_, &Viewport::edited, this, apply);
-    connect(layers_, &LayerList::edited, this, apply);
+    connect(layerPanel_, &LayerPanel::edited, this, apply);
     connect(labels_, &LabelList::edited, this, apply);
     connect(transfer_, &TransferEditor1d::edited, this, apply);
     connect(gallery_, &StyleGallery::edited, this, apply);
@@ -263,7 +266,7 @@ void MainWindow::connectPanels() {
     });
     connect(measuresRest_, &QTimer::timeout, this, &MainWindow::pictureMeasures);
     connect(viewport_, &Viewport::picturePixelsChanged, this, &MainWindow::wantPicture);
-    connect(layers_, &LayerList::layerSelected, this, [this](std::size_t layer) {
+    connect(layerPanel_, &LayerPanel::layerSelected, this, [this](std::size_t layer) {
         labels_->setFigure(document_->figure(), layer);
         transfer_->setFigure(document_->figure(), layer);
         gallery_->setFigure(document_->figure(), layer, transfer_->selectedNode());
@@ -301,7 +304,7 @@ void MainWindow::documentChanged() {
         action->setText(named(verb, can ? label : std::string()));
         action->setIconText(brief);
     }
-    layers_->setFigure(figure);
+    layerPanel_->setFigure(figure);
     labels_->setFigure(figure, layers_->selectedLayer());
     transfer_->setFigure(figure, layers_->selectedLayer());
     gallery_->setFigure(figure, layers_->selectedLayer(), transfer_->selectedNode());

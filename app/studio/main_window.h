@@ -24,6 +24,7 @@ class ImportanceForm;
 class Job;
 class LabelList;
 class LayerList;
+class LayerPanel;
 class LensOverlay;
 class NoticeBar;
 class PictureFeed;
@@ -73,6 +74,7 @@ class MainWindow : public QMainWindow {
     [[nodiscard]] TransferEditor1d& transferEditor() { return *transfer_; }
     [[nodiscard]] StyleGallery& gallery() { return *gallery_; }
     [[nodiscard]] LayerList& layers() { return *layers_; }
+    [[nodiscard]] LayerPanel& layerPanel() { return *layerPanel_; }
     [[nodiscard]] LabelList& labels() { return *labels_; }
     [[nodiscard]] ImportanceForm& importance() { return *importance_; }
     [[nodiscard]] LensOverlay& lensOverlay() { return *lens_; }
@@ -145,7 +147,8 @@ class MainWindow : public QMainWindow {
     WelcomePage* welcome_;
     NoticeBar* notices_;
     Viewport* viewport_;
-    LayerList* layers_;
+    LayerPanel* layerPanel_;
+    LayerList* layers_; ///< of the panel
     LabelList* labels_;
     TransferEditor1d* transfer_;
     StyleGallery* gallery_;

@@ -2,26 +2,19 @@
 #include "app/studio/main_window.h"
 
 #include "core/style/background_picture.h"
+#include "widgets/colour_button.h"
 #include "widgets/job.h"
 
 #include <QColorDialog>
 #include <QFileDialog>
 
 namespace limner {
-namespace {
-
-QColor toColour(const glm::dvec4& rgba) {
-    const glm::vec3 rgb(rgba);
-    return QColor::fromRgbF(rgb.r, rgb.g, rgb.b);
-}
-
-} // namespace
 
 void MainWindow::choosePaper() {
     if (document_->empty())
         return;
     const QColor colour =
-        QColorDialog::getColor(toColour(document_->figure()->background.rgba), this, tr("Paper colour"));
+        QColorDialog::getColor(colourOf(glm::dvec3(document_->figure()->background.rgba)), this, tr("Paper colour"));
     if (colour.isValid())
         usePaper(colour);
 }
@@ -31,7 +24,7 @@ void MainWindow::usePaper(const QColor& colour) {
         return;
     Edit edit{*document_->figure(), tr("Paper colour").toStdString(), {}, false};
     edit.figure.background = {};
-    edit.figure.background.rgba = {colour.redF(), colour.greenF(), colour.blueF(), 1};
+    edit.figure.background.rgba = glm::dvec4(rgbOf(colour), 1);
     document_->apply(edit);
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/resources.h"
+#include "core/figure/layer_edits.h"
 #include "core/style/lit_sphere.h"
 
 #include <nlohmann/json.hpp>
@@ -12,6 +13,7 @@
 #include <fstream>
 #include <map>
 #include <optional>
+#include <set>
 
 namespace limner {
 namespace {
@@ -111,6 +113,42 @@ bool drawsARole(const Figure& figure, const Layer& layer) {
                        [&](const auto& row) { return std::any_of(row.begin(), row.end(), hasRole); });
 }
 
+bool drawsWith(const Layer& layer, const std::string& style) { return stylesOf(layer).contains(style); }
+
+/// Styles that locked layers draw with, apart from those of the others: where a layer that is not locked, or the
+/// figure's cut faces, share such a style, they get a copy of it.
+std::set<std::string> setLockedStylesApart(Figure& figure) {
+    std::set<std::string> kept;
+    for (const Layer& layer : figure.layers) {
+        if (layer.locked) {
+            kept.merge(stylesOf(layer));
+        }
+    }
+    for (const std::string& id : kept) {
+        const StyleEntry* entry = figure.findStyle(id);
+        const bool facesShare = figure.clip.face && figure.clip.face->style == id;
+        const bool shared = facesShare || std::any_of(figure.layers.begin(), figure.layers.end(),
+                                                      [&](const Layer& l) { return !l.locked && drawsWith(l, id); });
+        if (entry == nullptr || entry->role.empty() || !shared) {
+            continue;
+        }
+        StyleEntry copy = *entry;
+        for (int n = 2; figure.findStyle(copy.id) != nullptr; ++n) {
+            copy.id = id + "-" + std::to_string(n);
+        }
+        for (Layer& layer : figure.layers) {
+            if (!layer.locked) {
+                exchangeStyle(layer, id, copy.id);
+            }
+        }
+        if (facesShare) {
+            figure.clip.face->style = copy.id;
+        }
+        figure.styles.push_back(copy);
+    }
+    return kept;
+}
+
 } // namespace
 
 const std::vector<ThemeCard>& bundledThemes() {
@@ -127,7 +165,11 @@ const std::vector<ThemeCard>& bundledThemes() {
 Figure withTheme(const Figure& figure, const std::string& theme, std::vector<std::string>& notes) {
     const Theme& chosen = findTheme(theme);
     Figure changed = figure;
+    const std::set<std::string> locked = setLockedStylesApart(changed);
     for (StyleEntry& entry : changed.styles) {
+        if (locked.contains(entry.id)) {
+            continue;
+        }
         if (entry.role.empty()) {
             notes.push_back("The style \"" + entry.id + "\" has no role: the theme leaves it as it is.");
             continue;
@@ -145,7 +187,9 @@ Figure withTheme(const Figure& figure, const std::string& theme, std::vector<std
         entry.sphere = style->sphere;
     }
     for (Layer& layer : changed.layers) {
-        if (drawsARole(figure, layer)) {
+        if (layer.locked) {
+            notes.push_back("The layer \"" + layer.name + "\" is locked: the theme leaves it as it is.");
+        } else if (drawsARole(changed, layer)) {
             layer.contours = chosen.contours;
         }
     }

@@ -22,7 +22,8 @@ const std::vector<ThemeCard>& bundledThemes();
 /// The figure in another look: every style that has a role takes the theme's bundled style of that role (of "any" where
 /// the theme does not name the role), every layer that is shaded by such a style takes the theme's contours or loses
 /// its own, and the background takes the theme's paper. Ids, roles and textures stay, so transfer functions, plain
-/// colours and a background's picture do too. What could not be exchanged is added to `notes`. Throws Error(usage) for
+/// colours and a background's picture do too. A locked layer keeps its look; layers that share a style with it get a
+/// copy of that style, under an id of its own. What could not be exchanged is added to `notes`. Throws Error(usage) for
 /// an unknown theme, naming the known ones.
 Figure withTheme(const Figure& figure, const std::string& theme, std::vector<std::string>& notes);
 

@@ -1,16 +1,15 @@
 #include "core/figure/transfer_edits.h"
 
+#include "core/figure/layer_edits.h"
+
 #include <algorithm>
 #include <cassert>
 #include <limits>
-#include <set>
 
 namespace limner {
 namespace {
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity(); // the first and last have one neighbour
-
-bool isBundled(const StyleEntry& entry) { return entry.file.starts_with("bundled:"); }
 
 /// Id of the style in the figure's list; joins the list where it is missing. A style of the user's own that happens to
 /// have the same id keeps it, and the bundled one gets another.
@@ -24,18 +23,6 @@ std::string joinStyle(Figure& figure, const Style& style) {
         id = style.card.id + "-" + std::to_string(n);
     figure.styles.push_back({id, file, style.card.name, style.card.credit, style.card.licence, style.sphere});
     return id;
-}
-
-void dropUnusedBundledStyles(Figure& figure) {
-    std::set<std::string> used;
-    for (const Layer& layer : figure.layers) {
-        for (const TransferNode& node : layer.transfer.nodes)
-            used.insert(node.style);
-        if (layer.transfer.grid)
-            for (const auto& row : layer.transfer.grid->styles)
-                used.insert(row.begin(), row.end());
-    }
-    std::erase_if(figure.styles, [&](const StyleEntry& entry) { return isBundled(entry) && !used.contains(entry.id); });
 }
 
 double middleOf(const OpacityPoints& points) { return points.empty() ? 0 : (points.front().x + points.back().x) / 2; }

@@ -2,6 +2,7 @@
 #include "app/studio/main_window.h"
 
 #include "app/studio/studio_theme.h"
+#include "core/figure/layer_edits.h"
 #include "core/project/archive.h"
 #include "core/project/embedded_volume.h"
 #include "core/volume/phantom.h"
@@ -11,9 +12,12 @@
 #include "widgets/importance_form.h"
 #include "widgets/label_list.h"
 #include "widgets/layer_list.h"
+#include "widgets/layer_panel.h"
+#include "widgets/layer_parts_form.h"
 #include "widgets/lens_overlay.h"
 #include "widgets/notice_bar.h"
 #include "widgets/parameter_row.h"
+#include "widgets/part_form.h"
 #include "widgets/style_gallery.h"
 #include "widgets/transfer_editor_1d.h"
 #include "widgets/viewport.h"
@@ -105,6 +109,29 @@ TEST(Studio, StartsWithWhatCanBeDone) {
     EXPECT_FALSE(studio.window->actions().at("file.save")->isEnabled());
     EXPECT_FALSE(studio.window->actions().at("edit.undo")->isEnabled());
     EXPECT_TRUE(studio.window->actions().at("file.open")->isEnabled());
+}
+
+TEST(Studio, ALockedLayerIsLeftAloneByThemesAndPanels) {
+    Studio studio;
+    ASSERT_TRUE(studio.openSample());
+    studio.window->layers().lock()->trigger();
+    const Figure locked = studio.figure();
+    ASSERT_TRUE(locked.layers.at(0).locked);
+    EXPECT_FALSE(studio.window->transferEditor().canvas()->isEnabled());
+    EXPECT_FALSE(studio.window->gallery().list()->isEnabled());
+    auto* theme = studio.window->findChild<QAction*>("theme.blackboard");
+    ASSERT_NE(theme, nullptr);
+    theme->trigger();
+    ASSERT_TRUE(pumpUntil([&] { return !studio.window->busy(); }));
+    EXPECT_NE(studio.figure().background, locked.background);
+    EXPECT_EQ(studio.figure().layers.at(0), locked.layers.at(0));
+    for (const std::string& id : stylesOf(locked.layers.at(0)))
+        EXPECT_EQ(*studio.figure().findStyle(id), *locked.findStyle(id)) << id;
+    studio.trigger("edit.undo");
+    studio.trigger("edit.undo");
+    EXPECT_FALSE(studio.figure().layers.at(0).locked);
+    EXPECT_TRUE(studio.window->transferEditor().canvas()->isEnabled());
+    EXPECT_TRUE(studio.window->layerPanel().parts()->part("/layers/*/tone")->isEnabled());
 }
 
 TEST(Studio, TheActionTableIsWhole) {

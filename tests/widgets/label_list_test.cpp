@@ -69,6 +69,20 @@ TEST(LabelList, HasNamesColoursAndNumbersOfWhatOccurs) {
         EXPECT_EQ(panel.row(i)->checkState(), Qt::Checked);
 }
 
+TEST(LabelList, ALockedLayersLabelsStay) {
+    Figure figure = testing::smallFigure();
+    figure.layers[0].locked = true;
+    Panel panel(3, figure);
+    const Figure before = *panel.history.current();
+    EXPECT_FALSE(panel.row(1)->flags().testFlag(Qt::ItemIsEnabled));
+    panel.row(1)->setCheckState(Qt::Unchecked);
+    EXPECT_EQ(*panel.history.current(), before);
+    panel.layer = 1;
+    panel.show();
+    panel.row(1)->setCheckState(Qt::Unchecked);
+    EXPECT_EQ(panel.shown(), (std::vector{1, 3})) << "the other layer's go and come";
+}
+
 TEST(LabelList, ChipsHaveTheColoursOfALayerThatIsDrawnByLabel) {
     std::vector<std::string> notes;
     LabelReference plain = labels(3);

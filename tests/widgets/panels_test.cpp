@@ -1,5 +1,4 @@
 #include "widgets/layer_form.h"
-#include "widgets/layer_list.h"
 #include "widgets/progress_strip.h"
 #include "widgets/style_gallery.h"
 #include "widgets/style_image.h"
@@ -101,32 +100,6 @@ TEST(StyleGallery, EnterWorksLikeAClick) {
     QTest::qWait(0);
     QTest::keyClick(gallery.list(), Qt::Key_Return);
     EXPECT_EQ(history.current()->layers[0].transfer.nodes[0].style, "ivory-bone");
-}
-
-TEST(LayerList, TheCheckMarkHidesAndTheSliderMerges) {
-    LayerList list;
-    list.resize(300, 300);
-    History history(testing::smallFigure());
-    QObject::connect(&list, &LayerList::edited, [&](const Edit& edit) {
-        history.apply(edit);
-        list.setFigure(history.current());
-    });
-    std::size_t selected = 0;
-    QObject::connect(&list, &LayerList::layerSelected, [&](std::size_t layer) { selected = layer; });
-    list.setFigure(history.current());
-    list.show();
-    EXPECT_EQ(list.list()->count(), 2);
-    list.list()->item(1)->setCheckState(Qt::Unchecked);
-    EXPECT_FALSE(history.current()->layers[1].visible);
-    list.list()->setCurrentRow(1);
-    EXPECT_EQ(selected, 1U);
-    for (int value = 190; value >= 100; value -= 10)
-        list.form()->opacity()->setValue(value);
-    EXPECT_EQ(history.current()->layers[1].opacity, 0.5);
-    EXPECT_EQ(history.current()->layers[0].opacity, 1);
-    EXPECT_EQ(history.position(), 2U) << "one step for the check mark, one for the slider";
-    list.list()->item(0)->setText("Skeleton");
-    EXPECT_EQ(history.current()->layers[0].name, "Skeleton");
 }
 
 /// A form over a history, as the window joins them.

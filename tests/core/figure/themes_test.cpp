@@ -112,6 +112,34 @@ TEST(Themes, OnlyLookChanges) {
     EXPECT_EQ(after.background.rgba.a, 1);
 }
 
+TEST(Themes, ALockedLayerKeepsItsLook) {
+    Figure before = figureOfAllRoles();
+    before.clip.face = CutFace{"id of bone", std::nullopt};
+    Layer locked = before.layers[0];
+    locked.name = "Mine";
+    locked.locked = true;
+    locked.contours.emplace().thicknessMm = 3;
+    locked.transfer.nodes.push_back({3, "id of skin", {}});
+    before.layers.push_back(locked);
+    std::vector<std::string> notes;
+    const Figure after = withTheme(before, "blackboard", notes);
+    EXPECT_EQ(after.layers[1], before.layers[1]);
+    for (const char* id : {"id of bone", "id of skin"})
+        EXPECT_EQ(*after.findStyle(id), *before.findStyle(id)) << id;
+    EXPECT_NE(std::find_if(notes.begin(), notes.end(),
+                           [](const std::string& note) { return note.find("\"Mine\" is locked") != note.npos; }),
+              notes.end());
+    const std::string own = after.layers[0].transfer.nodes[2].style;
+    EXPECT_NE(own, "id of bone") << "the other layer does not wear what is locked";
+    ASSERT_TRUE(after.findStyle(own));
+    EXPECT_EQ(after.clip.face->style, own);
+    Figure free = before;
+    free.layers.pop_back();
+    std::vector<std::string> others;
+    EXPECT_EQ(after.findStyle(own)->file, withTheme(free, "blackboard", others).findStyle("id of bone")->file);
+    EXPECT_EQ(withTheme(after, "blackboard", notes), after) << "once apart, apart";
+}
+
 TEST(Themes, TheLastOneCounts) {
     Figure start = figureOfAllRoles();
     start.layers[0].contours.emplace();

@@ -1,0 +1,76 @@
+#include "widgets/form_parts.h"
+
+#include "core/figure/parameters.h"
+
+#include <QEvent>
+#include <QFormLayout>
+#include <QLabel>
+#include <QToolButton>
+
+#include <cassert>
+
+namespace limner {
+namespace {
+
+class WheelGuard : public QObject {
+  public:
+    using QObject::QObject;
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() == QEvent::Wheel && !static_cast<QWidget*>(watched)->hasFocus()) {
+            event->ignore();
+            return true;
+        }
+        return QObject::eventFilter(watched, event);
+    }
+};
+
+const Parameter& setting(std::string_view pointer) {
+    const Parameter* parameter = findParameter(pointer);
+    assert(parameter);
+    return *parameter;
+}
+
+} // namespace
+
+QLabel* heading(const QString& text) {
+    auto* label = new QLabel(text);
+    QFont bold = label->font();
+    bold.setBold(true);
+    label->setFont(bold);
+    return label;
+}
+
+QFormLayout* formLayout(QWidget* parent) {
+    auto* form = new QFormLayout(parent);
+    form->setContentsMargins(0, 0, 0, 0);
+    form->setVerticalSpacing(4);
+    return form;
+}
+
+QLabel* addLabelled(QFormLayout* form, const QString& text, QWidget* field, QWidget* buddy) {
+    buddy = buddy ? buddy : field;
+    auto* label = new QLabel(text);
+    label->setBuddy(buddy);
+    label->setToolTip(buddy->toolTip());
+    form->addRow(label, field);
+    return label;
+}
+
+QToolButton* textButton(const QString& text, const QString& tip) {
+    auto* button = new QToolButton;
+    button->setText(text);
+    button->setToolTip(tip);
+    button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    return button;
+}
+
+void leaveWheelToPanel(QWidget* widget) {
+    widget->setFocusPolicy(Qt::StrongFocus); // the wheel itself must not give the focus
+    widget->installEventFilter(new WheelGuard(widget));
+}
+
+QString labelOfSetting(std::string_view pointer) { return QString::fromStdString(setting(pointer).label); }
+
+QString helpOfSetting(std::string_view pointer) { return QString::fromStdString(setting(pointer).help); }
+
+} // namespace limner

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QString>
+
+#include <string_view>
+
+class QFormLayout;
+class QLabel;
+class QToolButton;
+class QWidget;
+
+namespace limner {
+
+/// Small things that forms are made of, so that all look and behave alike.
+
+/// A bold line above a group of rows.
+QLabel* heading(const QString& text);
+
+/// A form without margins, its rows close to each other.
+QFormLayout* formLayout(QWidget* parent = nullptr);
+
+/// Adds a row whose label goes to `buddy` by its letter and has the buddy's tool tip; null: the field itself.
+QLabel* addLabelled(QFormLayout* form, const QString& text, QWidget* field, QWidget* buddy = nullptr);
+
+/// A small button with words.
+QToolButton* textButton(const QString& text, const QString& tip);
+
+/// A wheel over the widget scrolls the panel and does not change the widget unless it has the focus.
+void leaveWheelToPanel(QWidget* widget);
+
+/// Label and help of a setting in the parameter table; the pointer must exist.
+QString labelOfSetting(std::string_view pointer);
+QString helpOfSetting(std::string_view pointer);
+
+} // namespace limner
