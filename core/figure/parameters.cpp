@@ -282,10 +282,11 @@ std::span<const Field> fieldsOf<StyleEntry>() {
     return fields;
 }
 
-template <>
-std::span<const Field> fieldsOf<Layer>() {
+namespace {
+
+std::vector<Field> layerBasics() {
     using T = Layer;
-    static const Field fields[] = {
+    return {
         field<&T::name>("name", {.label = "Name", .help = "Name of the layer.", .cost = kNone}),
         field<&T::visible>("visible", {.label = "Visible", .help = "Whether the layer is drawn.", .cost = kPlan}),
         field<&T::solo>("solo", {.label = "Solo",
@@ -312,6 +313,12 @@ std::span<const Field> fieldsOf<Layer>() {
         field<&T::twoSided>(
             "two_sided",
             {.label = "Two-sided", .help = "The back of a surface is drawn like its front.", .cost = kPlan}),
+    };
+}
+
+std::vector<Field> layerParts() {
+    using T = Layer;
+    return {
         field<&T::contours>("contours",
                             {.label = "Contours", .help = "Lines where the surface turns away.", .cost = kPlan}),
         field<&T::transparency>("transparency", {.label = "Transparency",
@@ -354,6 +361,18 @@ std::span<const Field> fieldsOf<Layer>() {
             "importance_weight",
             {.label = "Importance", .help = "Weight of the layer in importance composition.", .low = 0, .high = 1e5}),
     };
+}
+
+} // namespace
+
+template <>
+std::span<const Field> fieldsOf<Layer>() {
+    static const std::vector<Field> fields = [] {
+        std::vector<Field> all = layerBasics();
+        const std::vector<Field> parts = layerParts();
+        all.insert(all.end(), parts.begin(), parts.end());
+        return all;
+    }();
     return fields;
 }
 

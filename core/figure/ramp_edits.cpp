@@ -9,26 +9,32 @@ namespace limner {
 namespace {
 
 /// Of the first key that lies beyond `at`.
-std::size_t placeAfter(const RampKeys& keys, double at) {
+template <typename Key>
+std::size_t placeAfter(const std::vector<Key>& keys, double at) {
     const auto place =
-        std::upper_bound(keys.begin(), keys.end(), at, [](double value, const RampKey& key) { return value < key.at; });
+        std::upper_bound(keys.begin(), keys.end(), at, [](double value, const Key& key) { return value < key.at; });
     return static_cast<std::size_t>(place - keys.begin());
+}
+
+template <typename Key, typename Colour>
+Colour interpolated(const std::vector<Key>& keys, double at, Colour Key::*colour) {
+    if (keys.empty()) {
+        return Colour(1);
+    }
+    const std::size_t after = placeAfter(keys, at);
+    if (after == 0 || after == keys.size()) {
+        return after == 0 ? keys.front().*colour : keys.back().*colour;
+    }
+    const Key& low = keys[after - 1];
+    const Key& high = keys[after];
+    return glm::mix(low.*colour, high.*colour, (at - low.at) / (high.at - low.at));
 }
 
 } // namespace
 
-glm::dvec4 rampAt(const RampKeys& keys, double at) {
-    if (keys.empty()) {
-        return glm::dvec4(1);
-    }
-    const std::size_t after = placeAfter(keys, at);
-    if (after == 0 || after == keys.size()) {
-        return after == 0 ? keys.front().rgba : keys.back().rgba;
-    }
-    const RampKey& low = keys[after - 1];
-    const RampKey& high = keys[after];
-    return glm::mix(low.rgba, high.rgba, (at - low.at) / (high.at - low.at));
-}
+glm::dvec4 rampAt(const RampKeys& keys, double at) { return interpolated(keys, at, &RampKey::rgba); }
+
+glm::dvec3 rampAt(const std::vector<ColourKey>& keys, double at) { return interpolated(keys, at, &ColourKey::rgb); }
 
 RampKeys withKeyMoved(RampKeys keys, std::size_t index, double at) {
     assert(index < keys.size());

@@ -14,6 +14,7 @@ using RampKeys = std::vector<RampKey>;
 
 /// Linear between keys, right-continuous at a step, constant outside. No keys: factors of one.
 glm::dvec4 rampAt(const RampKeys& keys, double at);
+glm::dvec3 rampAt(const std::vector<ColourKey>& keys, double at);
 
 /// The key goes to `at`, held between its neighbours and in 0..1.
 RampKeys withKeyMoved(RampKeys keys, std::size_t index, double at);
