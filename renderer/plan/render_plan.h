@@ -128,7 +128,7 @@ struct RenderPlan {
     /// What the axis "importance" of transfer functions adds up: the measures of the figure's importance, whether it
     /// composes or not, but extinction and unocclusion, which opacity itself makes. Absent where no layer reads it.
     std::optional<PlanImportance> axisMeasures;
-    std::optional<PlanCut> faces;             ///< of the figure's cuts, where they are drawn flat; rays end at them
+    std::optional<PlanCut> faces; ///< of the figure's cuts, where they are drawn flat; rays end at them
     std::optional<PlanDepthCues> cues;
     /// Blurred copies of the volume for depth of field (optics::kBlurLevels), int16; empty where no layer has any.
     std::vector<std::shared_ptr<const Volume>> blurs;
