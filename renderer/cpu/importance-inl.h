@@ -1,4 +1,4 @@
-// How important samples are, and composition by it (paper 001); compiled once for every instruction set.
+// Composition by importance (paper 001); compiled once for every instruction set.
 #if defined(LIMNER_IMPORTANCE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef LIMNER_IMPORTANCE_INL_H
 #undef LIMNER_IMPORTANCE_INL_H
@@ -6,11 +6,9 @@
 #define LIMNER_IMPORTANCE_INL_H
 #endif
 
-#include "renderer/cpu/facts-inl.h" // names the target: before the formulas
-#include "renderer/cpu/style-inl.h"
+#include "renderer/cpu/measures-inl.h" // names the target: before the formulas
 
 #include "core/optics/importance.h"
-#include "core/optics/measures.h"
 
 #include <cmath>
 
