@@ -3,6 +3,7 @@
 #include "renderer/plan/plan_layer.h"
 
 #include "core/volume/cleanup.h"
+#include "renderer/plan/depth_cues.h"
 #include "renderer/plan/skip_grid.h"
 #include "renderer/plan/style_atlas.h"
 
@@ -29,6 +30,8 @@ constexpr double kMinMaxNsPerVoxel = 2;    // 30 ms for 256^3
 constexpr double kDistanceNsPerBlock = 70; // 18 ms for 64^3 blocks
 constexpr double kTableNsPerEntry = 40;    // two searches and a logarithm
 constexpr double kAtlasNsPerTexel = 10;
+constexpr double kSweepNsPerCell = 8;
+constexpr double kOpacityNsPerVoxel = 4;
 constexpr double kRayNs = 200;   // set-up and skipping of a ray
 constexpr double kSampleNs = 10; // 105 Msamples/s
 
@@ -107,6 +110,28 @@ struct Costs {
         return cost;
     }
 
+    [[nodiscard]] PartCost depthCues() const {
+        PartCost cost{"depth cues", 0, 0, 0};
+        if (!plan.cues) {
+            return cost;
+        }
+        const auto count = [&](const std::shared_ptr<const CueField>& field, double sweeps) {
+            if (field) {
+                const double cells = static_cast<double>(field->values.size()) / field->channels;
+                cost.estimatedMs += parallelMs(cells * sweeps * kSweepNsPerCell);
+                cost.bytes += field->values.size() * sizeof(float);
+            }
+        };
+        count(plan.cues->ambient, 26);
+        count(plan.cues->shadow, 7);
+        count(plan.cues->halo, 18);
+        cost.estimatedMs += parallelMs(kOpacityNsPerVoxel * static_cast<double>(plan.volume->grid().voxelCount()));
+        RenderPlan without = plan;
+        without.cues.reset();
+        cost.measuredMs = millisecondsOf([&] { DepthCueFields().add(without, task); });
+        return cost;
+    }
+
     /// Measured on a probe and scaled to the picture.
     [[nodiscard]] PartCost rendering(const Backend& backend, Explanation& out) const {
         constexpr int kProbe = 256; // pixels an edge: a tenth of a second at the most
@@ -142,6 +167,12 @@ std::vector<std::string> fieldsOf(const RenderPlan& plan) {
     add("second volume", [](const PlanLayer& layer) { return readsAxis(layer, TransferAxis::second); });
     if (plan.importance && plan.importance->statistics) {
         fields.emplace_back("local statistics");
+    }
+    if (!plan.blurs.empty()) {
+        fields.emplace_back("blurred copies");
+    }
+    if (plan.cues) {
+        fields.emplace_back("depth cues");
     }
     return fields;
 }
@@ -182,6 +213,9 @@ Explanation explainFigure(const Figure& figure, const PlanRequest& request, cons
     out.parts.push_back(costs.tables());
     out.parts.push_back(costs.skipGrid());
     out.parts.push_back(costs.styles());
+    if (plan->cues) {
+        out.parts.push_back(costs.depthCues());
+    }
     out.parts.push_back(costs.rendering(backend, out));
     return out;
 }
