@@ -175,7 +175,7 @@ std::shared_ptr<const RenderPlan> Planner::plan(const Figure& figure, const Plan
     auto plan = std::make_shared<RenderPlan>();
     plan->figure = std::make_shared<const Figure>(figure);
     plan->size = request.size.x > 0 ? request.size : figure.output.sizePixels();
-    const double aspect = static_cast<double>(plan->size.x) / plan->size.y;
+    const double aspect = figure.output.aspect(); // not the picture's: a window's pixels must not move a cut
     const auto labels = figure.labels ? figure.labels->data : nullptr;
     plan->volume = cache_->cleaned.get({figure.volume->data, labels, figure.cleanup, aspect}, [&] {
         return applyCleanup(figure.volume->data, labels.get(), figure.cleanup, aspect, task);
