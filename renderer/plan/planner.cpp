@@ -4,6 +4,7 @@
 #include "core/volume/cleanup.h"
 #include "core/volume/gradient_statistics.h"
 #include "renderer/plan/describe_plan.h"
+#include "renderer/plan/eight_bits.h"
 #include "renderer/plan/importance_bricks.h"
 #include "renderer/plan/mip_levels.h"
 #include "renderer/plan/plan_fields.h"
@@ -76,6 +77,7 @@ struct Planner::Cache {
                                  std::shared_ptr<const Volume>, Importance, std::vector<Layer>>;
     using MinMaxKey = std::pair<std::shared_ptr<const Volume>, SampleReach>;
     RecentResults<CleanKey, std::shared_ptr<const Volume>> cleaned;
+    EightBits eightBits;
     RecentResults<MinMaxKey, std::shared_ptr<const MinMaxGrid>> minMax;
     RecentResults<std::shared_ptr<const Volume>, GradientStatistics> gradients;
     RecentResults<VisibleKey, std::shared_ptr<const SkipGrid>> skip;
@@ -190,8 +192,9 @@ std::shared_ptr<const RenderPlan> Planner::plan(const Figure& figure, const Plan
         SampleLattice{quality.stepVoxels * request.stepScale * plan->referenceLengthMm, 0.5, 0});
     plan->earlyTermination = quality.earlyTermination;
     plan->clip = figure.clip;
-    plan->rays = makeRayFrame(figure.camera, *plan->volume, plan->size);
     cache_->fields.chooseEstimators(*plan, task);
+    cache_->eightBits.apply(*plan, task);
+    plan->rays = makeRayFrame(figure.camera, *plan->volume, plan->size);
     plan->gradientRounding = gradientRounding(*plan->gradientField);
     addLayers(*plan, request, task);
     plan->importance = planImportance(*plan);
