@@ -33,11 +33,7 @@ ParameterRow::ParameterRow(std::string pointer, const Useful& useful, QWidget* p
     slider_->setAccessibleName(label());
     slider_->setToolTip(tip);
     leaveWheelToPanel(slider_);
-    const double least = std::pow(10.0, -useful.decimals);
-    const double low = parameter_->low.value_or(useful.low);
-    box_->setDecimals(useful.decimals);
-    box_->setRange(parameter_->lowExcluded ? low + least : low, parameter_->high.value_or(useful.high));
-    box_->setSingleStep((useful.high - useful.low) / 100);
+    setUseful(useful);
     const std::string& unit = parameter_->unit;
     box_->setSuffix(unit.starts_with("mm") ? tr(" mm") : unit == "deg" ? tr("°") : QString());
     box_->setKeyboardTracking(false);
@@ -75,6 +71,16 @@ void ParameterRow::connectParts() {
             [this](double value) { Q_EMIT changed(value, key_.again(pointer_), false); });
 }
 
+void ParameterRow::setUseful(const Useful& useful) {
+    const QSignalBlocker quiet(box_);
+    useful_ = useful;
+    const double least = std::pow(10.0, -useful.decimals);
+    const double low = parameter_->low.value_or(useful.low);
+    box_->setDecimals(useful.decimals);
+    box_->setRange(parameter_->lowExcluded ? low + least : low, parameter_->high.value_or(useful.high));
+    box_->setSingleStep((useful.high - useful.low) / 100);
+}
+
 QString ParameterRow::label() const { return QString::fromStdString(parameter_->label); }
 
 void ParameterRow::setPicture(const QImage& picture) {
@@ -89,7 +95,8 @@ double ParameterRow::sliderValue() const {
 
 void ParameterRow::setValue(double value) {
     const QSignalBlocker quiet[] = {QSignalBlocker(slider_), QSignalBlocker(box_)};
-    const double share = std::clamp((value - useful_.low) / (useful_.high - useful_.low), 0.0, 1.0);
+    const double width = useful_.high - useful_.low; // 0: of a constant scan's values
+    const double share = width > 0 ? std::clamp((value - useful_.low) / width, 0.0, 1.0) : 0;
     if (!slider_->isSliderDown())
         slider_->setValue(static_cast<int>(std::lround(share * kSteps)));
     box_->setValue(value);

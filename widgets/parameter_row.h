@@ -30,6 +30,8 @@ class ParameterRow : public QWidget {
     /// `pointer`: of a number in the parameter table ("/importance/global").
     ParameterRow(std::string pointer, const Useful& useful, QWidget* parent = nullptr);
 
+    /// Another range for the slider, of a scan's values for one. Nothing else changes; no signal.
+    void setUseful(const Useful& useful);
     /// Shows a value without a signal. A slider under the hand stays where it is.
     void setValue(double value);
     [[nodiscard]] const std::string& pointer() const { return pointer_; }

@@ -42,17 +42,6 @@ constexpr QSize kFirstSize(1400, 900);
 constexpr int kGalleryWidth = 226; // two styles side by side
 constexpr int kPanelWidth = 390;
 
-QDockWidget* dock(QMainWindow* window, const char* name, const QString& title, QWidget* content,
-                  Qt::DockWidgetArea area) {
-    auto* result = new QDockWidget(title, window);
-    result->setObjectName(name); // saved layouts go by it
-    result->setWidget(content);
-    result->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable |
-                        QDockWidget::DockWidgetClosable);
-    window->addDockWidget(area, result);
-    return result;
-}
-
 } // namespace
 
 Engine makeEngine() {
@@ -69,6 +58,7 @@ MainWindow::MainWindow(Engine engine)
     setObjectName("studio");
     setAcceptDrops(true);
     buildPanels();
+    buildCleanup();
     buildMenus();
     buildToolBar();
     buildStatusBar();
@@ -91,6 +81,17 @@ MainWindow::~MainWindow() {
     for (Job* job : findChildren<Job*>())
         delete job;
     delete feed_;
+}
+
+QDockWidget* MainWindow::dock(QMainWindow* window, const char* name, const QString& title, QWidget* content,
+                              Qt::DockWidgetArea area) {
+    auto* result = new QDockWidget(title, window);
+    result->setObjectName(name); // saved layouts go by it
+    result->setWidget(content);
+    result->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable |
+                        QDockWidget::DockWidgetClosable);
+    window->addDockWidget(area, result);
+    return result;
 }
 
 void MainWindow::buildPanels() {
@@ -237,6 +238,7 @@ void MainWindow::connectActions() {
     on("view.free-turning",
        [this](bool freely) { viewport_->setTurnMode(freely ? TurnMode::trackball : TurnMode::turntable); });
     on("edit.add-lens", [this] { addLens(); });
+    connectCleanup();
     on("background.paper", [this] { choosePaper(); });
     on("background.picture", [this] { chooseBackgroundPicture(); });
     on("help.about", [this] { showAbout(); });
@@ -280,9 +282,10 @@ void MainWindow::documentChanged() {
     const bool any = figure != nullptr;
     pages_->setCurrentWidget(any ? static_cast<QWidget*>(viewport_) : welcome_);
     for (const char* id :
-         {"file.save", "file.save-as", "file.export", "file.close", "edit.copy-picture", "view.anterior",
-          "view.posterior", "view.left", "view.right", "view.superior", "view.inferior", "view.three-quarter",
-          "view.fit", "view.zoom-in", "view.zoom-out", "background.paper", "background.picture", "edit.add-lens"})
+         {"file.save",        "file.save-as",       "file.export",   "file.close",    "edit.copy-picture",
+          "view.anterior",    "view.posterior",     "view.left",     "view.right",    "view.superior",
+          "view.inferior",    "view.three-quarter", "view.fit",      "view.zoom-in",  "view.zoom-out",
+          "background.paper", "background.picture", "edit.add-lens", "edit.scissors", "edit.keep-island"})
         actions_->at(id)->setEnabled(any);
     const bool drawable = any && figure->volume && figure->volume->data;
     presets_->setEnabled(drawable);
@@ -311,6 +314,7 @@ void MainWindow::documentChanged() {
     viewport_->setFigure(figure);
     importance_->setFigure(figure);
     showLens();
+    showCleanup();
     showTitle();
     wantPicture();
 }

@@ -20,7 +20,9 @@ class QToolButton;
 
 namespace limner {
 
+class CleanupForm;
 class ImportanceForm;
+class IslandOverlay;
 class Job;
 class LabelList;
 class LayerList;
@@ -30,6 +32,7 @@ class NoticeBar;
 class PictureFeed;
 class PresetMenu;
 class ProgressStrip;
+class ScissorsOverlay;
 class StyleGallery;
 class ThemeMenu;
 class TransferEditor1d;
@@ -78,6 +81,9 @@ class MainWindow : public QMainWindow {
     [[nodiscard]] LabelList& labels() { return *labels_; }
     [[nodiscard]] ImportanceForm& importance() { return *importance_; }
     [[nodiscard]] LensOverlay& lensOverlay() { return *lens_; }
+    [[nodiscard]] CleanupForm& cleanup() { return *cleanup_; }
+    [[nodiscard]] ScissorsOverlay& scissors() { return *scissors_; }
+    [[nodiscard]] IslandOverlay& islandTool() { return *island_; }
     [[nodiscard]] NoticeBar& notices() { return *notices_; }
     /// Whether a job of the window (import, labels, save, export, preset, theme, background) is under way.
     [[nodiscard]] bool busy() const;
@@ -98,7 +104,13 @@ class MainWindow : public QMainWindow {
     void dropEvent(QDropEvent* event) override;
 
   private:
+    static QDockWidget* dock(QMainWindow* window, const char* name, const QString& title, QWidget* content,
+                             Qt::DockWidgetArea area);
     void buildPanels();
+    /// The clean-up panel and its two tools over the picture.
+    void buildCleanup();
+    void connectCleanup();
+    void showCleanup();
     void buildMenus();
     void buildToolBar();
     QToolButton* addLookButton(QToolBar* bar, const QString& text, const QString& tip, QMenu* menu);
@@ -158,6 +170,9 @@ class MainWindow : public QMainWindow {
     QTimer* measuresRest_;
     std::shared_ptr<const Figure> measured_; ///< what the small pictures show
     LensOverlay* lens_;
+    CleanupForm* cleanup_;
+    ScissorsOverlay* scissors_;
+    IslandOverlay* island_;
     PresetMenu* presets_;
     ThemeMenu* themes_;
     QToolButton* presetButton_ = nullptr;

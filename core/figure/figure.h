@@ -55,11 +55,14 @@ enum class ScissorsSide { inside, outside };
 /// One non-destructive clean-up step; steps run in order when the figure is loaded.
 struct CleanupStep {
     CleanupKind kind = CleanupKind::keepLargest;
-    double above = 0;                         ///< matter is what is above this value (islands)
-    double belowMm3 = 1000;                   ///< removeIslands: islands smaller than this go
-    std::optional<glm::dvec3> atMm;           ///< keepAt: a point of the island that stays
-    std::vector<glm::dvec2> polygon;          ///< scissors: lasso in figure coordinates
-    std::optional<Camera> camera;             ///< scissors: the view it was drawn in
+    double above = 0;                ///< matter is what is above this value (islands)
+    double belowMm3 = 1000;          ///< removeIslands: islands smaller than this go
+    std::optional<glm::dvec3> atMm;  ///< keepAt: a point of the island that stays
+    std::vector<glm::dvec2> polygon; ///< scissors: lasso in figure coordinates
+    std::optional<Camera> camera;    ///< scissors: the view it was drawn in
+    /// scissors: width / height of the figure it was drawn in; absent: the figure's own. Another format must not move
+    /// the cut.
+    std::optional<double> aspect;
     ScissorsSide side = ScissorsSide::inside; ///< scissors: which side is cut away
     int label = 0;                            ///< eraseLabel
     /// keepLargest: matter thinner than twice this does not connect, so that a headrest that touches the skin goes;
@@ -114,6 +117,7 @@ struct Output {
     bool transparent = false;
     friend bool operator==(const Output&, const Output&) = default;
     [[nodiscard]] glm::ivec2 sizePixels() const; ///< rounded, at least 1
+    [[nodiscard]] double aspect() const { return widthMm / heightMm; }
 };
 
 enum class GradientEstimator { automatic, central, sobel, neumann, fourthOrder, bspline };

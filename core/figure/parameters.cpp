@@ -16,6 +16,15 @@ constexpr auto kVolume = ChangeCost::newVolume;
 constexpr const char* kDataUnit = "HU or the volume's unit";
 constexpr double kFarMm = 1e9; ///< a thousand kilometres: squares of lengths stay far from overflow
 
+constexpr Facts kOpening{.label = "Opening",
+                         .help = "Matter thinner than twice this does not connect, so that a headrest that touches the "
+                                 "skin goes; 0: plain connection.",
+                         .cost = kFields,
+                         .unit = "mm",
+                         .low = 0,
+                         .high = 100,
+                         .omitDefault = true};
+
 /// Whether a field that belongs to some kinds only is written: for those kinds, or so that nothing set is lost.
 template <class Object, bool (*Written)(const Object&)>
 bool asked(const void* object) {
@@ -219,6 +228,12 @@ std::span<const Field> fieldsOf<CleanupStep>() {
                                      .cost = kFields,
                                      .omitDefault = true,
                                      .whole = true}),
+        field<&T::aspect>("aspect", {.label = "Lasso's format",
+                                     .help = "Width over height of the figure in which the outline was drawn.",
+                                     .cost = kFields,
+                                     .low = 1e-3,
+                                     .high = 1e3,
+                                     .omitDefault = true}),
         field<&T::side>("side", {.label = "Cut away",
                                  .help = "Which side of the outline is cut away.",
                                  .cost = kFields,
@@ -229,14 +244,7 @@ std::span<const Field> fieldsOf<CleanupStep>() {
                                    .cost = kFields,
                                    .low = 0,
                                    .written = asked<T, writesLabel>}),
-        field<&T::openingMm>("opening_mm", {.label = "Opening",
-                                            .help = "Matter thinner than twice this does not connect, so that a "
-                                                    "headrest that touches the skin goes; 0: plain connection.",
-                                            .cost = kFields,
-                                            .unit = "mm",
-                                            .low = 0,
-                                            .high = 100,
-                                            .omitDefault = true}),
+        field<&T::openingMm>("opening_mm", kOpening),
     };
     return fields;
 }

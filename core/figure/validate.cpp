@@ -103,8 +103,8 @@ class Validator {
             if (step.camera) {
                 checkCamera(*step.camera, pointer + "/camera");
             } else {
-                note(pointer + "/camera", "the outline has no view of its own, the figure's is taken",
-                     "store the view it was drawn in");
+                fatal(pointer + "/camera", "the outline has no view, so nothing says where it cuts",
+                      "store the view it was drawn in");
             }
         }
         if (step.kind == CleanupKind::keepAt && !step.atMm) {

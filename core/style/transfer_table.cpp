@@ -72,10 +72,15 @@ double entryPosition(ValueRange range, std::size_t k, std::size_t count) {
     return range.low + (width < 1e300 ? share * width / last : share / last * width);
 }
 
-std::vector<double> entryPositions(const TransferTable& table) {
+/// Of the columns. Entries lie evenly over what a volume stores: where its levels are uneven, their values are read
+/// off.
+std::vector<double> entryPositions(const TransferTable& table, const Volume& volume) {
+    const Volume::Contents& contents = volume.contents();
+    const bool uneven = table.axisX == TransferAxis::value && !contents.levels.empty();
     std::vector<double> positions(table.opacity.size());
     for (std::size_t k = 0; k < positions.size(); ++k) {
-        positions[k] = entryPosition({table.low, table.high}, k, positions.size());
+        const double even = entryPosition({table.low, table.high}, k, positions.size());
+        positions[k] = uneven ? volume.valueFromStored((even - contents.intercept) / contents.slope) : even;
     }
     return positions;
 }
@@ -146,7 +151,7 @@ TransferTable bakeCurve(const Layer& layer, const Volume& volume, const AxisRang
     const std::int64_t least = volume.type() == VoxelType::uint8 ? kEntries8 : kEntries16;
     setColumns(table, axis, range,
                axis == TransferAxis::value ? valueEntries(volume, range, {least, kMostEntries}) : kEntries16);
-    const std::vector<double> positions = entryPositions(table);
+    const std::vector<double> positions = entryPositions(table, volume);
     for (std::size_t k = 0; k < positions.size(); ++k) {
         table.opacity[k] = layerOpacity(layer, opacityAt(layer.transfer.opacity, positions[k]));
         table.index[k] = static_cast<float>(nodeIndexAt(layer.transfer.nodes, positions[k]));
@@ -168,10 +173,11 @@ TransferTable bakeLabels(const Layer& layer, const Volume& volume) {
     return table;
 }
 
-void fillPlane(TransferTable& table, const Layer& layer, const std::vector<double>& rowNodes, bool swapped) {
+/// `xs`: of the columns.
+void fillPlane(TransferTable& table, const Layer& layer, const std::vector<double>& xs,
+               const std::vector<double>& rowNodes, bool swapped) {
     const Transfer& transfer = layer.transfer;
     const PreparedShapes shapes(transfer.opacity2d);
-    const std::vector<double> xs = entryPositions(table);
     std::vector<double> curve(xs.size(), 1);
     if (!swapped) {
         std::transform(xs.begin(), xs.end(), curve.begin(), [&](double x) { return planeCurveAt(transfer, x); });
@@ -200,9 +206,9 @@ TransferTable bakePlane(const Layer& layer, const Volume& volume, const AxisRang
     setColumns(table, axisX, range,
                axisX == TransferAxis::value ? valueEntries(volume, range, {kLeastPlaneEntries, kMostPlaneEntries})
                                             : kPlaneEntries);
+    const std::vector<double> xs = entryPositions(table, volume);
     for (std::size_t k = 0; k < table.index.size(); ++k) {
-        const double x = entryPosition(range, k, table.index.size());
-        table.index[k] = static_cast<float>(gridIndexAt(nodes.first, x, false));
+        table.index[k] = static_cast<float>(gridIndexAt(nodes.first, xs[k], false));
     }
     if (axisY == TransferAxis::label) {
         setLabelRows(table, nodes.second);
@@ -221,7 +227,7 @@ TransferTable bakePlane(const Layer& layer, const Volume& volume, const AxisRang
     table.nodesY = atLeastOne(nodes.second.size());
     table.nodeStrideX = swapped ? columns : 1;
     table.nodeStrideY = swapped ? 1 : columns;
-    fillPlane(table, layer, nodes.second, swapped);
+    fillPlane(table, layer, xs, nodes.second, swapped);
     return table;
 }
 

@@ -292,11 +292,13 @@ void cutRow(const CleanupStep& step, const glm::dvec3& start, const glm::dvec3& 
     }
 }
 
-Removal scissors(Scan& scan, const CleanupStep& step, double aspect) {
+Removal scissors(Scan& scan, const CleanupStep& step, double figureAspect, Task& task) {
     const Grid& grid = scan.contents.grid;
     BitGrid cut(grid.dims);
-    if (step.camera && step.polygon.size() >= 3) {
-        const ViewFrame view(*step.camera, aspect);
+    if (!step.camera || step.polygon.size() < 3) {
+        task.warn("clean-up: a scissors step needs an outline of three points and its view; the step does nothing");
+    } else {
+        const ViewFrame view(*step.camera, step.aspect.value_or(figureAspect));
         const glm::dmat3 toMm = grid.voxelToMmMatrix();
         const glm::dvec3 along = view.projectStep(toMm[0]);
         tbb::parallel_for(0, grid.dims.z, [&](int z) {
@@ -356,7 +358,7 @@ std::shared_ptr<const Volume> applyCleanup(std::shared_ptr<const Volume> volume,
             case CleanupKind::keepLargest: return keepLargest(scan, step);
             case CleanupKind::keepAt: return keepAt(scan, step, task);
             case CleanupKind::removeIslands: return removeIslands(scan, step);
-            case CleanupKind::scissors: return scissors(scan, step, figureAspect);
+            case CleanupKind::scissors: return scissors(scan, step, figureAspect, task);
             case CleanupKind::eraseLabel: break;
             }
             return eraseLabel(scan, step, labels, task);

@@ -217,6 +217,7 @@ std::shared_ptr<const Volume> keptAsInt16(Volume::Contents contents, const Numbe
 
 std::shared_ptr<const Volume> keptLike(const Volume& source, Numbers<float> field, float base) {
     Volume::Contents contents = source.contents();
+    contents.levels.clear(); // what was computed of codes is no code
     contents.modality = contents.modality == Modality::labels ? Modality::unknown : contents.modality;
     if (source.type() != VoxelType::float32) {
         return keptAsInt16(std::move(contents), field, contents.slope, source.valueFromStored(base));

@@ -88,6 +88,7 @@ std::shared_ptr<const Volume> resampledValues(const Volume& source, const Grid& 
         const ValueRange range = source.range();
         Volume::Contents contents = source.contents();
         contents.grid = grid;
+        contents.levels.clear();
         contents.type = VoxelType::int16;
         contents.slope = range.high > range.low ? (range.high - range.low) / kSteps : 1;
         contents.intercept = range.low + kShift * contents.slope;

@@ -120,6 +120,24 @@ Volume::Volume(Contents contents, std::span<const std::byte> stored) : contents_
     }
 }
 
+double Volume::levelAt(double stored) const {
+    const std::vector<double>& levels = contents_.levels;
+    const double place = std::clamp(stored, 0.0, static_cast<double>(levels.size() - 1));
+    const auto low = static_cast<std::size_t>(place);
+    const std::size_t high = std::min(low + 1, levels.size() - 1);
+    return levels[low] + (place - static_cast<double>(low)) * (levels[high] - levels[low]);
+}
+
+double Volume::codeOf(double value) const {
+    const std::vector<double>& levels = contents_.levels;
+    const auto above = static_cast<std::size_t>(std::upper_bound(levels.begin(), levels.end(), value) - levels.begin());
+    if (above == 0 || above == levels.size()) {
+        return above == 0 ? 0 : static_cast<double>(levels.size() - 1);
+    }
+    const double below = levels[above - 1];
+    return static_cast<double>(above - 1) + (value - below) / (levels[above] - below);
+}
+
 double Volume::storedAt(glm::ivec3 voxel) const {
     const std::size_t index = storeIndex(layout_, glm::clamp(voxel, glm::ivec3(0), contents_.grid.dims - 1));
     switch (contents_.type) {

@@ -66,6 +66,10 @@ class Volume {
         std::size_t nonFinite = 0; ///< voxels that were NaN or infinite
         Modality modality = Modality::unknown;
         std::string unit; ///< "HU", or empty
+        /// Rising values of the stored numbers 0, 1, 2 ... where they are uneven (core/volume/quantise.h); empty: the
+        /// line of slope and intercept. That line then runs from the first level to the last: between voxels the
+        /// stored numbers are interpolated, gradients are counted on the line, and only values are read off the levels.
+        std::vector<double> levels;
     };
 
     /// `stored`: dims.x*dims.y*dims.z numbers of `contents.type`, x fastest. Builds the bricks in parallel.
@@ -81,8 +85,12 @@ class Volume {
     [[nodiscard]] const std::byte* bricks() const { return bricks_; }
     [[nodiscard]] std::size_t bytes() const { return storeBytes_; }
 
-    [[nodiscard]] double valueFromStored(double stored) const { return contents_.slope * stored + contents_.intercept; }
-    [[nodiscard]] double storedFromValue(double value) const { return (value - contents_.intercept) / contents_.slope; }
+    [[nodiscard]] double valueFromStored(double stored) const {
+        return contents_.levels.empty() ? contents_.slope * stored + contents_.intercept : levelAt(stored);
+    }
+    [[nodiscard]] double storedFromValue(double value) const {
+        return contents_.levels.empty() ? (value - contents_.intercept) / contents_.slope : codeOf(value);
+    }
 
     /// Stored number of a voxel; indices are clamped to the volume.
     [[nodiscard]] double storedAt(glm::ivec3 voxel) const;
@@ -91,6 +99,10 @@ class Volume {
     void copyRow(int y, int z, std::byte* destination) const;
 
   private:
+    /// Linear between the levels, the first before them and the last behind.
+    [[nodiscard]] double levelAt(double stored) const;
+    [[nodiscard]] double codeOf(double value) const;
+
     Contents contents_;
     BrickLayout layout_;
     struct Release {

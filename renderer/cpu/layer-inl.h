@@ -100,7 +100,7 @@ class LayerEvaluation {
         if (layer_.rowOfSlot == nullptr && layer_.shownSlots != nullptr) {
             opacity = hn::Mul(opacity, shownShare(facts));
         }
-        if (layer_.parts.any || facts.faceCount > 0) {
+        if ((layer_.parts.any || facts.faceCount > 0) && !hn::AllFalse(kF, hn::Gt(opacity, splat(0)))) {
             opacity = LayerParts<Field>(scene_, layer_, facts).apply(opacity, out);
         }
         return ofStep(opacity, partOf(facts));
@@ -211,6 +211,9 @@ class LayerEvaluation {
         const TablePlace x(axisEntry(layer_.x, facts));
         if (layer_.rows == 0) {
             const Floats opacity = x.read(layer_.opacity);
+            if (hn::AllFalse(kF, hn::Gt(opacity, splat(0)))) {
+                return opacity;
+            }
             colour(facts, width, nodesOfLine(x), out);
             return transparency(facts, width, opacity, out);
         }

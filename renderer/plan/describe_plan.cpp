@@ -1,6 +1,7 @@
 #include "renderer/plan/describe_plan.h"
 
 #include "core/figure/figure_json.h"
+#include "renderer/plan/eight_bits.h"
 #include "renderer/plan/mip_levels.h"
 
 #include <algorithm>
@@ -142,6 +143,10 @@ void describePlan(RenderPlan& plan, const PlanRequest& request) {
     feature(plan.clip.boxMm || !plan.clip.planes.empty(), "clipping", "a box or planes cut the volume",
             "nothing is cut away");
     feature(!plan.figure->cleanup.empty(), "clean-up", "steps remove matter from the volume", "no clean-up steps");
+    const bool codes = plan.eightBits && plan.eightBits->whyFull.empty();
+    const std::string codesCost = codes ? describeEightBits(plan) : "";
+    feature(codes, "eight-bit voxels", codesCost.c_str(),
+            plan.eightBits ? plan.eightBits->whyFull.c_str() : "the voxels are as they are");
     feature(request.omit, "empty-space skipping", "blocks that show nothing are passed over", "switched off");
     const std::size_t hidden = plan.figure->layers.size() - plan.layers.size();
     if (hidden > 0) {

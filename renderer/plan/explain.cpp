@@ -58,11 +58,10 @@ struct Costs {
         if (figure.cleanup.empty()) {
             return cost;
         }
-        const double aspect = static_cast<double>(plan.size.x) / plan.size.y;
         const Volume* labels = figure.labels && figure.labels->data ? figure.labels->data.get() : nullptr;
         cost.estimatedMs = parallelMs(kCleanupNsPerVoxel * static_cast<double>(plan.volume->grid().voxelCount()));
-        cost.measuredMs =
-            millisecondsOf([&] { applyCleanup(figure.volume->data, labels, figure.cleanup, aspect, task); });
+        cost.measuredMs = millisecondsOf(
+            [&] { applyCleanup(figure.volume->data, labels, figure.cleanup, figure.output.aspect(), task); });
         cost.bytes = plan.volume == figure.volume->data ? 0 : plan.volume->bytes();
         return cost;
     }

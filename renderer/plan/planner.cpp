@@ -5,6 +5,7 @@
 #include "core/volume/gradient_statistics.h"
 #include "renderer/plan/depth_cues.h"
 #include "renderer/plan/describe_plan.h"
+#include "renderer/plan/eight_bits.h"
 #include "renderer/plan/importance_bricks.h"
 #include "renderer/plan/mip_levels.h"
 #include "renderer/plan/plan_fields.h"
@@ -95,6 +96,7 @@ struct Planner::Cache {
                                  std::shared_ptr<const Volume>, Importance, std::vector<Layer>>;
     using MinMaxKey = std::pair<std::shared_ptr<const Volume>, SampleReach>;
     RecentResults<CleanKey, std::shared_ptr<const Volume>> cleaned;
+    EightBits eightBits;
     RecentResults<MinMaxKey, std::shared_ptr<const MinMaxGrid>> minMax;
     RecentResults<std::pair<std::shared_ptr<const MinMaxGrid>, std::shared_ptr<const Volume>>,
                   std::shared_ptr<const MinMaxGrid>>
@@ -201,7 +203,7 @@ std::shared_ptr<const RenderPlan> Planner::plan(const Figure& figure, const Plan
     auto plan = std::make_shared<RenderPlan>();
     plan->figure = std::make_shared<const Figure>(figure);
     plan->size = request.size.x > 0 ? request.size : figure.output.sizePixels();
-    const double aspect = static_cast<double>(plan->size.x) / plan->size.y;
+    const double aspect = figure.output.aspect(); // not the picture's: a window's pixels must not move a cut
     const auto labels = figure.labels ? figure.labels->data : nullptr;
     plan->volume = cache_->cleaned.get({figure.volume->data, labels, figure.cleanup, aspect}, [&] {
         return applyCleanup(figure.volume->data, labels.get(), figure.cleanup, aspect, task);
@@ -216,11 +218,12 @@ std::shared_ptr<const RenderPlan> Planner::plan(const Figure& figure, const Plan
         SampleLattice{quality.stepVoxels * request.stepScale * plan->referenceLengthMm, 0.5, 0});
     plan->earlyTermination = quality.earlyTermination;
     plan->clip = figure.clip;
+    cache_->fields.chooseEstimators(*plan, task);
+    cache_->eightBits.apply(*plan, task);
     plan->rays = makeRayFrame(figure.camera, *plan->volume, plan->size);
     if (figure.clip.face && (figure.clip.boxMm || !figure.clip.planes.empty())) {
         plan->faces = planCut(figure.clip, figure, plan->rays);
     }
-    cache_->fields.chooseEstimators(*plan, task);
     plan->gradientRounding = gradientRounding(*plan->gradientField);
     addLayers(*plan, request, task);
     plan->importance = planImportance(*plan);

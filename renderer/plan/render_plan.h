@@ -86,6 +86,15 @@ struct PlanDepthCues {
     std::shared_ptr<const CueField> halo;   ///< 0..1
 };
 
+/// What voxels in 256 levels lose, in the data's unit, beside as many even levels.
+struct PlanEightBits {
+    double rmsError = 0;
+    double largestError = 0;
+    double rmsErrorOfEven = 0;
+    double largestErrorOfEven = 0;
+    std::string whyFull; ///< not empty: asked for, but the voxels are full
+};
+
 /// A part of the renderer that a figure may need.
 struct PlanFeature {
     std::string name;   ///< "style", "phong", "perspective", "contours", ...
@@ -96,9 +105,10 @@ struct PlanFeature {
 /// plans have in common (bricks, skip grid, atlas) is shared. What the figure does not use is not here.
 struct RenderPlan {
     std::shared_ptr<const Figure> figure;
-    std::shared_ptr<const Volume> volume; ///< after clean-up
-    glm::ivec2 size{0};                   ///< of the picture in pixels
-    int subPixels = 1;                    ///< per axis: 1, 2 or 4
+    std::shared_ptr<const Volume> volume;   ///< after clean-up; in eight bits where the figure asks for it
+    std::optional<PlanEightBits> eightBits; ///< absent: not asked for
+    glm::ivec2 size{0};                     ///< of the picture in pixels
+    int subPixels = 1;                      ///< per axis: 1, 2 or 4
     RayFrame rays;
     SampleLattice lattice;
     double referenceLengthMm = 1; ///< d0: the smallest voxel spacing

@@ -129,8 +129,8 @@ double trilinearAt(const Volume& volume, const glm::dvec3& positionVoxel) {
 
 glm::dvec3 trilinearSlope(const Volume& volume, const glm::dvec3& positionVoxel) {
     const glm::dvec3 p = movedOntoLastCentre(volume, positionVoxel);
-    const glm::ivec3 cell(glm::floor(p));
-    const glm::dvec3 f = p - glm::floor(p);
+    const glm::ivec3 cell = glm::min(glm::ivec3(glm::floor(p)), volume.grid().dims - 2); // the last centre has one
+    const glm::dvec3 f = p - glm::dvec3(cell);
     glm::dvec3 slope(0);
     for (int corner = 0; corner < 8; ++corner) {
         const glm::ivec3 at(corner & 1, corner >> 1 & 1, corner >> 2);

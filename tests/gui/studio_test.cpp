@@ -9,7 +9,9 @@
 #include "support/make_volume.h"
 #include "support/qt/qt_events.h"
 #include "support/test_data.h"
+#include "widgets/cleanup_form.h"
 #include "widgets/importance_form.h"
+#include "widgets/island_overlay.h"
 #include "widgets/label_list.h"
 #include "widgets/layer_list.h"
 #include "widgets/layer_panel.h"
@@ -18,6 +20,7 @@
 #include "widgets/notice_bar.h"
 #include "widgets/parameter_row.h"
 #include "widgets/part_form.h"
+#include "widgets/scissors_overlay.h"
 #include "widgets/style_gallery.h"
 #include "widgets/transfer_editor_1d.h"
 #include "widgets/viewport.h"
@@ -147,6 +150,39 @@ TEST(Studio, TheActionTableIsWhole) {
             shortcuts << action->shortcut().toString();
     }
     EXPECT_EQ(shortcuts.removeDuplicates(), 0);
+}
+
+/// The tools over the picture give clean-up steps; the cleaned volume is drawn by itself and comes back by undo.
+TEST(Studio, CleansUpInThePicture) {
+    Studio studio;
+    EXPECT_FALSE(studio.window->actions().at("edit.scissors")->isEnabled());
+    ASSERT_TRUE(studio.openSample());
+    const auto showsSteps = [&] {
+        return pumpUntil([&] {
+            return studio.hasFinal() &&
+                   studio.window->viewport().picture()->plan->figure->cleanup == studio.figure().cleanup;
+        });
+    };
+    const auto before = studio.figure().cleanup;
+    const auto volumeBefore = studio.window->viewport().picture()->plan->volume;
+    studio.trigger("edit.keep-island");
+    studio.trigger("edit.scissors");
+    ScissorsOverlay& scissors = studio.window->scissors();
+    EXPECT_TRUE(scissors.taken());
+    EXPECT_FALSE(studio.window->islandTool().taken()) << "one tool at a time";
+    const QRectF sheet = studio.window->viewport().sheet();
+    for (const auto& [x, y] : {std::pair{0.05, 0.05}, {0.95, 0.05}, {0.95, 0.5}, {0.05, 0.5}})
+        QTest::mouseClick(&scissors, Qt::LeftButton, {},
+                          (sheet.topLeft() + QPointF(x * sheet.width(), y * sheet.height())).toPoint());
+    QTest::keyClick(&scissors, Qt::Key_Return);
+    EXPECT_FALSE(studio.window->actions().at("edit.scissors")->isChecked());
+    ASSERT_EQ(studio.figure().cleanup.size(), before.size() + 1);
+    EXPECT_EQ(studio.window->cleanup().list()->count(), static_cast<int>(before.size() + 1));
+    ASSERT_TRUE(showsSteps());
+    EXPECT_NE(studio.window->viewport().picture()->plan->volume, volumeBefore);
+    studio.trigger("edit.undo");
+    EXPECT_EQ(studio.figure().cleanup, before);
+    EXPECT_TRUE(showsSteps());
 }
 
 /// Labels come to the open scan as a step that can be undone, and the list under the layers has them.

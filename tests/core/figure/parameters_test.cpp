@@ -49,7 +49,7 @@ TEST(Description, CoversEveryMember) {
     EXPECT_ALL_DESCRIBED(ClipPlane, a, b);
     EXPECT_ALL_DESCRIBED(CutFace, a, b);
     EXPECT_ALL_DESCRIBED(Clip, a, b, c);
-    EXPECT_ALL_DESCRIBED(CleanupStep, a, b, c, d, e, f, g, h, i);
+    EXPECT_ALL_DESCRIBED(CleanupStep, a, b, c, d, e, f, g, h, i, j);
     EXPECT_ALL_DESCRIBED(LabelReference, a, b, c, d, e);
     EXPECT_ALL_DESCRIBED(StyleTexture, a, b, c, d);
     EXPECT_ALL_DESCRIBED(StyleEntry, a, b, c, d, e, f, g, h);

@@ -81,6 +81,12 @@ TEST(Validate, FaultsOfViewAndOutputAreFatal) {
              f.clip.planes.push_back({{0, 0, 0}, 0});
          }},
         {"/cleanup/0/polygon", [](Figure& f) { f.cleanup.emplace_back().kind = CleanupKind::scissors; }},
+        {"/cleanup/0/camera",
+         [](Figure& f) {
+             CleanupStep& step = f.cleanup.emplace_back();
+             step.kind = CleanupKind::scissors;
+             step.polygon = {{0, 0}, {1, 0}, {1, 1}};
+         }},
         {"/cleanup/0/at_mm", [](Figure& f) { f.cleanup.emplace_back().kind = CleanupKind::keepAt; }},
         {"/cleanup/0/kind", [](Figure& f) { f.cleanup.emplace_back().kind = CleanupKind::eraseLabel; }},
     };

@@ -250,6 +250,72 @@ TEST(Cleanup, ScissorsAlongTheRowsOfTheGrid) {
     EXPECT_EQ(cleaned->valueAt({19, 9, 9}), -1000);
 }
 
+TEST(Cleanup, ALassoKeepsTheFormatItWasDrawnIn) {
+    const auto volume = obliqueBlock();
+    CleanupStep step;
+    step.kind = CleanupKind::scissors;
+    step.polygon = {{0.3, 0.2}, {0.8, 0.45}, {0.4, 0.9}};
+    step.camera = Camera{};
+    step.camera->targetMm = volume->grid().centreMm();
+    step.camera->heightMm = 70;
+    const auto cutIn = [&](double figureAspect) {
+        Task task;
+        return applyCleanup(volume, nullptr, {step}, figureAspect, task);
+    };
+    const auto same = [&](const VolumePointer& a, const VolumePointer& b) {
+        const glm::ivec3 dims = volume->grid().dims;
+        for (int z = 0; z < dims.z; ++z) {
+            for (int y = 0; y < dims.y; ++y) {
+                for (int x = 0; x < dims.x; ++x) {
+                    if (a->valueAt({x, y, z}) != b->valueAt({x, y, z})) {
+                        return false;
+                    }
+                }
+            }
+        }
+        return true;
+    };
+    const auto wide = cutIn(1.5);
+    EXPECT_FALSE(same(wide, cutIn(1)));
+    step.aspect = 1.5;
+    EXPECT_TRUE(same(wide, cutIn(1)));
+}
+
+TEST(Cleanup, ALassoWithoutAViewDoesNothingAndSaysSo) {
+    const auto volume = obliqueBlock();
+    CleanupStep step;
+    step.kind = CleanupKind::scissors;
+    step.polygon = {{0, 0}, {1, 0}, {1, 1}};
+    Task task;
+    EXPECT_EQ(applyCleanup(volume, nullptr, {step}, 1, task), volume);
+    EXPECT_EQ(task.warnings().size(), 1U);
+    step.camera = Camera{};
+    step.polygon.pop_back();
+    Task second;
+    EXPECT_EQ(applyCleanup(volume, nullptr, {step}, 1, second), volume);
+    EXPECT_EQ(second.warnings().size(), 1U);
+}
+
+TEST(Cleanup, StepsRunInTheirOrder) {
+    // Two islands, the larger one in the upper half: cutting that away first makes the other the largest.
+    const auto volume = ct(gridOf({12, 12, 20}), [](glm::ivec3 v) {
+        return v.z < 6 ? 100 : v.z > 8 ? 200 : v == glm::ivec3(0, 0, 7) ? -1000 : -900;
+    });
+    CleanupStep cut;
+    cut.kind = CleanupKind::scissors;
+    cut.polygon = {{-1, -1}, {2, -1}, {2, 0.5}, {-1, 0.5}};
+    cut.camera = Camera{};
+    cut.camera->targetMm = {5.5, 5.5, 7.5};
+    cut.camera->heightMm = 60;
+    Task task;
+    const auto cutFirst = applyCleanup(volume, nullptr, {cut, keepLargestAbove(0)}, 1, task);
+    EXPECT_EQ(cutFirst->valueAt({5, 5, 3}), 100);
+    EXPECT_EQ(cutFirst->valueAt({5, 5, 15}), -1000);
+    const auto keptFirst = applyCleanup(volume, nullptr, {keepLargestAbove(0), cut}, 1, task);
+    EXPECT_EQ(keptFirst->valueAt({5, 5, 3}), -1000);
+    EXPECT_EQ(keptFirst->valueAt({5, 5, 15}), -1000);
+}
+
 TEST(Cleanup, ADegenerateCameraIsAnError) {
     CleanupStep step;
     step.kind = CleanupKind::scissors;
