@@ -24,7 +24,10 @@ constexpr Connectivity kRim[] = {Connectivity::faces, Connectivity::corners};
 /// Thin matter on what stays, longer than any ear (about 80 mm at most) ...
 constexpr double kLongestThinPartMm = 90;
 /// ... and mostly standing above itself from slice to slice is a table's or headrest's shell; vessels branch.
-constexpr double kSheetShare = 0.6;
+constexpr double kSheetShare = 0.75; // cushions 0.80, the nose with the walls of its sinuses 0.66 (CT heads)
+/// A thick part beyond a neck is something else where its inside is more than this of the subject's; an ear or a nose
+/// has a grain of one.
+constexpr double kOtherShare = 1e-3;
 
 /// The volume's numbers while the steps run over them.
 struct Scan {
@@ -149,8 +152,11 @@ BitGrid largestOpened(const BitGrid& matter, const Grid& grid, double openingMm)
     const Components parts(rest, Connectivity::faces);
     std::vector<bool> stays = parts.meeting(dilatedByOne(kept, Connectivity::faces));
     const std::vector<bool> isCore = parts.meeting(cores.select([&] {
-        std::vector<bool> others(cores.list().size(), true);
-        others[0] = false;
+        std::vector<bool> others(cores.list().size());
+        const double subject = static_cast<double>(cores.list()[0].voxels);
+        for (std::size_t i = 1; i < others.size(); ++i) {
+            others[i] = static_cast<double>(cores.list()[i].voxels) > kOtherShare * subject;
+        }
         return others;
     }()));
     for (std::size_t i = 0; i < stays.size(); ++i) {

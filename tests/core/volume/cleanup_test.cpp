@@ -101,6 +101,22 @@ TEST(Cleanup, OpeningCutsOffTheHeadrestButNotTheEars) {
     EXPECT_GT(opened->valueAt({60, 60, 12}), 0);
 }
 
+TEST(Cleanup, OpeningLeavesANoseThatIsThickAtItsTip) {
+    // A ball for a head; a tip with a grain of an inside, on a thin neck; and a block as large as a third of the head.
+    const auto volume = ct(gridOf({128, 128, 80}), [](glm::ivec3 v) {
+        const double neck = std::max(glm::length(glm::dvec2(v.x - 60, v.z - 40)) - 2, std::abs(v.y - 20) - 16.0);
+        const double tip = ball(v, {60, 8, 40}, 5.5);
+        const double joint = std::max(glm::length(glm::dvec2(v.x - 60, v.z - 40)) - 2, std::abs(v.y - 92) - 6.0);
+        const double block =
+            std::max({std::abs(v.x - 60) - 50.0, std::abs(v.y - 108) - 10.0, std::abs(v.z - 40) - 30.0});
+        return edge(std::min({ball(v, {60, 60, 40}, 32), neck, tip, joint, block}));
+    });
+    const auto opened = clean(volume, keepLargestAbove(-300, 3));
+    EXPECT_GT(opened->valueAt({60, 60, 40}), 0);
+    EXPECT_GT(opened->valueAt({60, 8, 40}), 0) << "the tip of the nose";
+    EXPECT_EQ(opened->valueAt({30, 108, 40}), -1000) << "something else that touches";
+}
+
 TEST(Cleanup, KeepAtKeepsTheIslandOfThePoint) {
     Grid grid = gridOf({60, 20, 20});
     grid.spacingMm = {2, 1, 1};
