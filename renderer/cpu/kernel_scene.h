@@ -211,11 +211,11 @@ struct KernelScene {
 
     float tableScale = 1; ///< from interpolated stored numbers (as the kernel has them) to table entries
     float tableBias = 0;
-    const float* visibility = nullptr; ///< one opacity: of a step; else > 0 where any layer can show
+    const float* visibility = nullptr; ///< one layer of early opacity: of a step; else > 0 where any layer can show
     float lastEntry = 0;               ///< a spline may leave the data's range: entries are clamped to the table
     float visibleFrom = 0;             ///< entries up to here and from `visibleTo` on show nothing
     float visibleTo = 0;
-    bool oneOpacity = true; ///< a sample's opacity is known before its colour: one layer, by value alone
+    bool earlyOpacity = true; ///< a sample's opacity is known before its colour: every layer's is by value alone
     const KernelLayer* layers = nullptr;
     int layerCount = 0;
     KernelAtlas atlas;

@@ -69,15 +69,20 @@ class LayerEvaluation {
         return layer_.cut != nullptr ? hn::Mul(facts.part, keptByCut(*layer_.cut, scene_, facts)) : facts.part;
     }
 
+    /// Opacity of a sample by its value alone; `entry`: of the scene's table.
+    HWY_INLINE Floats opacityByValue(Floats entry, Floats part) const {
+        return opacityOfPart(TablePlace(entryOf(entry)).read(layer_.stepOpacity), part);
+    }
+
     /// The colour alone, where the sample's opacity is known already.
     HWY_INLINE void colourByValue(const Facts<Field>& facts, LaneColours& out) const {
         const Floats width = contourWidth(facts);
         if (layer_.shading != Shading::style && layer_.rows == 0) {
-            shadePlain(facts, width, PlainEntries(layer_.colours, facts.tableEntry), out);
+            shadePlain(facts, width, PlainEntries(layer_.colours, entryOf(facts.tableEntry)), out);
         } else {
             NodeBlend nodes;
             if (layer_.singleSlot < 0 || layer_.textures != nullptr) {
-                nodes = nodesOfLine(TablePlace(facts.tableEntry));
+                nodes = nodesOfLine(TablePlace(entryOf(facts.tableEntry)));
             }
             colour(facts, width, nodes, out);
         }
@@ -88,7 +93,7 @@ class LayerEvaluation {
     HWY_INLINE Floats evaluateAt(const Facts<Field>& facts, LaneColours& out) const {
         const Floats width = contourWidth(facts);
         if (layer_.opacityByValue) {
-            const TablePlace at(hn::MulAdd(facts.tableEntry, splat(layer_.x.scale), splat(layer_.x.bias)));
+            const TablePlace at(entryOf(facts.tableEntry));
             const Floats opacity = opacityOfPart(at.read(layer_.stepOpacity), facts.part);
             if (!hn::AllFalse(kF, hn::Gt(opacity, splat(0)))) {
                 colour(facts, width, nodesOfLine(at), out);
@@ -116,6 +121,11 @@ class LayerEvaluation {
             own.layOntoFace(*layer_.cut);
         }
         return evaluateAt(own, out);
+    }
+
+    /// Of the layer's table over the value.
+    HWY_INLINE Floats entryOf(Floats sceneEntry) const {
+        return hn::MulAdd(sceneEntry, splat(layer_.x.scale), splat(layer_.x.bias));
     }
 
     HWY_INLINE void tint(const Facts<Field>& facts, LaneColours& out) const {

@@ -23,7 +23,7 @@ class March {
 
   public:
     March(const KernelScene& scene, const KernelBlock& block, float* rgba)
-        : scene_(scene), oneOpacity_(ShadeQueue<VoxelField>::weighsAtOnce(scene, block)), field_{scene},
+        : scene_(scene), earlyOpacity_(ShadeQueue<VoxelField>::weighsAtOnce(scene, block)), field_{scene},
           queue_(scene, block, rgba) {}
 
     /// A packet on its way.
@@ -31,7 +31,7 @@ class March {
         RayPacket ray;
         Ints pixel;
         Floats k, end; ///< next sample and the one past the last
-        Floats alpha;  ///< known here with one opacity only, else it is the picture's
+        Floats alpha;  ///< known here with early opacity only, else it is the picture's
         Floats alive;  ///< a mask's bits: not every instruction set can keep masks in memory
     };
 
@@ -185,15 +185,33 @@ class March {
             return;
         }
         counts_.shaded += hn::CountTrue(kF, shows);
-        if (oneOpacity_) {
-            const Floats opacity = edge ? opacityOfPart(visible, sample.part) : visible;
+        if (earlyOpacity_) {
+            Floats opacity = visible;
+            if (scene_.layerCount > 1) {
+                opacity = hn::IfThenElseZero(shows, opacityOfLayers(entry, sample.part));
+            } else if (edge) {
+                opacity = opacityOfPart(visible, sample.part);
+            }
             const Floats weight = hn::NegMulAdd(opacity, alpha_, opacity);
             alpha_ = hn::Add(alpha_, weight);
-            queue_.push({sample.place, sample.q, entry, weight, pixel_, ray_->view}, shows);
+            queue_.push({sample.place, sample.q, entry, weight, sample.part, pixel_, ray_->view}, shows);
             alive_ = hn::And(alive_, hn::Lt(alpha_, splat(scene_.opaque)));
-        } else if (queue_.push({sample.place, sample.q, entry, sample.part, pixel_, ray_->view}, shows)) {
+        } else if (queue_.push({sample.place, sample.q, entry, splat(0), sample.part, pixel_, ray_->view}, shows)) {
             endOpaque();
         }
+    }
+
+    /// Of several layers, one behind the other.
+    HWY_INLINE Floats opacityOfLayers(Floats entry, Floats part) const {
+        Floats through = splat(1);
+        Floats total = splat(0);
+        for (int i = 0; i < scene_.layerCount; ++i) {
+            const LayerEvaluation<VoxelField> layer(scene_, scene_.layers[i]);
+            const Floats opacity = hn::Mul(through, layer.opacityByValue(entry, part));
+            total = hn::Add(total, opacity);
+            through = hn::Sub(through, opacity);
+        }
+        return total;
     }
 
     /// Ends the rays whose pixels are done by now. Samples that went ahead of that are not composed.
@@ -207,7 +225,7 @@ class March {
     }
 
     const KernelScene& scene_;
-    bool oneOpacity_;
+    bool earlyOpacity_;
     VoxelField field_;
     ShadeQueue<VoxelField> queue_;
     KernelCounts counts_;
@@ -312,8 +330,8 @@ template <typename Voxel, typename Offset>
 void castRays(const KernelScene& scene, const KernelBlock& block, float* rgba, KernelCounts& counts) {
     BlockCaster<Voxel, Offset> caster(scene, block, rgba);
     caster.run();
-    const bool oneOpacity = ShadeQueue<Field<Voxel, Offset>>::weighsAtOnce(scene, block);
-    for (int i = 0; oneOpacity && i < KernelBlock::kSize * KernelBlock::kSize; ++i) {
+    const bool earlyOpacity = ShadeQueue<Field<Voxel, Offset>>::weighsAtOnce(scene, block);
+    for (int i = 0; earlyOpacity && i < KernelBlock::kSize * KernelBlock::kSize; ++i) {
         rgba[4 * i + 3] = caster.alpha(i);
     }
     counts = caster.counts();

@@ -69,8 +69,8 @@ class Packer {
 /// Each pixel's samples stay in order and each is composed by itself, so the sums do not depend on who else was in the
 /// vector.
 ///
-/// With one opacity (KernelScene::oneOpacity) a sample comes with its weight in the pixel; else with its part of a
-/// step, and the pixel's alpha is known only when its samples have been composed.
+/// With early opacity (KernelScene::earlyOpacity) a sample comes with its weight in the pixel; else with its part of a
+/// step alone, and the pixel's alpha is known only when its samples have been composed.
 template <typename VoxelField>
 class ShadeQueue {
     using Place = typename VoxelField::Place;
@@ -82,22 +82,24 @@ class ShadeQueue {
     /// `rgba`: the block's pixels.
     ShadeQueue(const KernelScene& scene, const KernelBlock& block, float* rgba)
         : scene_(scene), byImportance_(block.ahead != nullptr), ahead_(block.ahead),
-          oneOpacity_(weighsAtOnce(scene, block)), field_{scene}, rgba_(rgba), composer_(scene, block, rgba) {
-        if (!oneOpacity_) {
+          earlyOpacity_(weighsAtOnce(scene, block)), readsPart_(!earlyOpacity_ || scene.layerCount > 1), field_{scene},
+          rgba_(rgba), composer_(scene, block, rgba) {
+        if (readsPart_) {
             layers_.resize(static_cast<std::size_t>(scene.layerCount));
         }
     }
 
     /// Whether a sample's weight in its pixel is known before it is shaded.
     static bool weighsAtOnce(const KernelScene& scene, const KernelBlock& block) {
-        return scene.oneOpacity && block.ahead == nullptr;
+        return scene.earlyOpacity && block.ahead == nullptr;
     }
 
     struct Entry {
         const Place& place;
         const Vec3& q;
         Floats tableEntry;
-        Floats weight; ///< or part of a step
+        Floats weight; ///< with early opacity
+        Floats part;   ///< of a step
         Ints pixel;
         const Vec3& view;
     };
@@ -110,7 +112,12 @@ class ShadeQueue {
         keep(sample.q.y, y_);
         keep(sample.q.z, z_);
         keep(sample.tableEntry, tableEntry_);
-        keep(sample.weight, weight_);
+        if (earlyOpacity_) {
+            keep(sample.weight, weight_);
+        }
+        if (readsPart_) {
+            keep(sample.part, part_);
+        }
         hn::StoreU(packer.pack(sample.pixel), kI, pixel_ + count_);
         if constexpr (kKeepsOffsets) {
             const Ints offsets = hn::BitCast(kI, hn::Load(kU, sample.place.offsets.at));
@@ -143,7 +150,7 @@ class ShadeQueue {
         }
     }
 
-    /// Whether a pixel takes no more samples; not with one opacity.
+    /// Whether a pixel takes no more samples; not with early opacity.
     [[nodiscard]] HWY_INLINE bool done(std::int32_t pixel) const {
         return byImportance_ ? composer_.done(pixel) : rgba_[4 * pixel + 3] >= scene_.opaque;
     }
@@ -166,13 +173,15 @@ class ShadeQueue {
         if (scene_.perspective) {
             view = {hn::Load(kF, viewX_), hn::Load(kF, viewY_), hn::Load(kF, viewZ_)};
         }
-        Facts<VoxelField> facts(field_, place, members_, q, view, load(tableEntry_), load(weight_));
+        Facts<VoxelField> facts(field_, place, members_, q, view, load(tableEntry_), load(part_));
         facts.measure();
         if (scene_.cues.any) {
             cues_.measure(facts);
         }
-        if (oneOpacity_) {
+        if (earlyOpacity_ && !readsPart_) {
             addWeighted(facts, count);
+        } else if (earlyOpacity_) {
+            addLayersWeighted(facts, count);
         } else if (byImportance_) {
             composeByImportance(facts, count);
         } else {
@@ -189,6 +198,35 @@ class ShadeQueue {
             const Quad weight = hn::Set(kQuad, weight_[lane]);
             hn::Store(hn::MulAdd(weight, hn::Load(kQuad, colours.rgba + 4 * lane), hn::Load(kQuad, pixel)), kQuad,
                       pixel);
+        }
+    }
+
+    /// Several layers, each with its share of the samples' weight.
+    HWY_NOINLINE void addLayersWeighted(const Facts<VoxelField>& facts, int count) {
+        Floats through = splat(1);
+        Floats total = splat(0);
+        for (std::size_t i = 0; i < layers_.size(); ++i) {
+            const LayerEvaluation<VoxelField> layer(scene_, scene_.layers[i]);
+            const Floats opacity = hn::Mul(through, layer.opacityByValue(facts.tableEntry, facts.part));
+            layers_[i].opacity = opacity;
+            total = hn::Add(total, opacity);
+            through = hn::Sub(through, opacity);
+        }
+        const Floats scale = hn::Div(hn::Load(kF, weight_), hn::Max(total, splat(1e-30F)));
+        for (std::size_t i = 0; i < layers_.size(); ++i) {
+            const Floats share = hn::Mul(hn::Load(kF, layers_[i].opacity.at), scale);
+            if (hn::AllFalse(kF, hn::Gt(share, splat(0)))) {
+                continue;
+            }
+            LaneColours& colours = layers_[i].colours;
+            LayerEvaluation<VoxelField>(scene_, scene_.layers[i]).colourByValue(facts, colours);
+            lightByCues(colours);
+            const LaneFloats weight(share);
+            for (int lane = 0; lane < count; ++lane) {
+                float* pixel = rgba_ + 4 * pixel_[lane];
+                const Quad c = hn::Load(kQuad, colours.rgba + 4 * lane);
+                hn::Store(hn::MulAdd(hn::Set(kQuad, weight.at[lane]), c, hn::Load(kQuad, pixel)), kQuad, pixel);
+            }
         }
     }
 
@@ -281,6 +319,9 @@ class ShadeQueue {
         for (float* row : {x_, y_, z_, tableEntry_, weight_}) {
             hn::Store(hn::LoadU(kF, row + lanes), kF, row);
         }
+        if (readsPart_) {
+            hn::Store(hn::LoadU(kF, part_ + lanes), kF, part_);
+        }
         if (scene_.perspective) {
             for (float* row : {viewX_, viewY_, viewZ_}) {
                 hn::Store(hn::LoadU(kF, row + lanes), kF, row);
@@ -295,7 +336,8 @@ class ShadeQueue {
     const KernelScene& scene_;
     bool byImportance_;
     const float* ahead_;
-    bool oneOpacity_;
+    bool earlyOpacity_;
+    bool readsPart_;
     VoxelField field_;
     float* rgba_;
     ImportanceComposer composer_;
@@ -309,6 +351,7 @@ class ShadeQueue {
     alignas(64) float z_[kRoom] = {};
     alignas(64) float tableEntry_[kRoom] = {};
     alignas(64) float weight_[kRoom] = {};
+    alignas(64) float part_[kRoom] = {};
     alignas(64) float viewX_[kRoom] = {};
     alignas(64) float viewY_[kRoom] = {};
     alignas(64) float viewZ_[kRoom] = {};

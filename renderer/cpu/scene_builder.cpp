@@ -407,7 +407,7 @@ void BuiltScene::setTables(const RenderPlan& plan) {
             scene_.atlas.voxelMm = static_cast<float>(plan.mipLevels->voxelMm);
         }
     }
-    scene_.oneOpacity = plan.layers.size() == 1 && opacityByValue(plan.layers.front());
+    scene_.earlyOpacity = std::all_of(plan.layers.begin(), plan.layers.end(), opacityByValue);
     const VisibleRange range = visibleRange(plan.layers, *plan.volume);
     std::vector<float> visibility(range.visible.begin(), range.visible.end());
     if (plan.volume->contents().slope < 0) {
@@ -425,7 +425,7 @@ void BuiltScene::setTables(const RenderPlan& plan) {
         out.importanceWeight = static_cast<float>(layer.source->importanceWeight);
         layers_.push_back(out);
     }
-    if (scene_.oneOpacity) {
+    if (scene_.earlyOpacity && plan.layers.size() == 1) {
         visibility = plan.layers.front().stepOpacity;
     }
     setValueTable(plan, std::move(visibility));
