@@ -21,10 +21,10 @@ std::optional<Pick> pickMatter(const RenderPlan& plan, const glm::dvec2& positio
         }
         const glm::dvec3 position = ray->positionVoxel(segment.positionMm);
         const double value = reference::valueAt(plan, position);
-        const reference::SampleFacts facts = reference::sampleFacts(plan, *ray, segment.positionMm, value);
+        const reference::SampleFacts facts = reference::sampleFacts(plan, *ray, segment, value);
         for (const PlanLayer& layer : plan.layers) {
-            const double own = reference::shadeLayer(plan, layer, facts).opacity;
-            opacity += (1 - opacity) * optics::opacityOfLength(own, segment.lengthMm / plan.referenceLengthMm);
+            const reference::LayerSample sample = reference::shadeLayer(plan, layer, facts);
+            opacity += (1 - opacity) * optics::opacityOfLength(sample.opacity, sample.lengthRatio);
         }
         if (opacity >= kHalf) {
             return Pick{plan.volume->grid().mmFromVoxel(position), value};

@@ -10,8 +10,8 @@ namespace {
 const RampKeys kRamp{{0, {0, 0, 0, 1}}, {0.5, {1, 0, 0, 1}}, {0.5, {0, 1, 0, 0.5}}, {1, {0, 0, 2, 0}}};
 
 TEST(RampEdits, TheRampIsLinearAndJumpsAtAStep) {
-    EXPECT_EQ(rampAt({}, 0.3), glm::dvec4(1));
-    EXPECT_EQ(rampAt({{0.4, {0.1, 0.2, 0.3, 0.4}}}, 0.9), glm::dvec4(0.1, 0.2, 0.3, 0.4));
+    EXPECT_EQ(rampAt(RampKeys{}, 0.3), glm::dvec4(1));
+    EXPECT_EQ(rampAt(RampKeys{{0.4, {0.1, 0.2, 0.3, 0.4}}}, 0.9), glm::dvec4(0.1, 0.2, 0.3, 0.4));
     EXPECT_EQ(rampAt(kRamp, 0.25), glm::dvec4(0.5, 0, 0, 1));
     EXPECT_EQ(rampAt(kRamp, 0.5), glm::dvec4(0, 1, 0, 0.5)) << "right-continuous";
     EXPECT_NEAR(rampAt(kRamp, 0.5 - 1e-9).r, 1, 1e-6);
