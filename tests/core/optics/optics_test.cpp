@@ -147,7 +147,7 @@ TEST(Phong, IsTheHeadLightLaw) {
         EXPECT_EQ(phong(bone, facing(-cosine, true), terms).g, phong(bone, facing(cosine, true), terms).g);
         EXPECT_NEAR(phong(bone, facing(-cosine, false), terms).g, 0.08, 1e-15); // a back face: ambient alone
     }
-    EXPECT_EQ(phong<double>({1, 1, 1}, 1, {0.5, 10}).r, 1);
+    EXPECT_EQ(phong<double>({1, 1, 1}, 1, {0.1, 0.7, 0.5, 10}).r, 1);
 }
 
 /// Four lanes that know nothing of branches: shows that the formulas take a vector type.
@@ -224,7 +224,8 @@ TEST(Optics, TakesAVectorType) {
     const auto normal = normalFromGradient(gradient);
     const auto turned = facingViewer(normalInRayFrame(normal, {Lanes(0.6), Lanes(0), Lanes(-0.8)}));
     const auto point = litSpherePoint(turned);
-    const auto lit = phong<Lanes>({Lanes(0.5), Lanes(0.5), Lanes(0.5)}, turned.z, {Lanes(0.2), Lanes(10)});
+    const auto lit =
+        phong<Lanes>({Lanes(0.5), Lanes(0.5), Lanes(0.5)}, turned.z, {Lanes(0.1), Lanes(0.7), Lanes(0.2), Lanes(10)});
     for (std::size_t i = 0; i < 4; ++i) {
         const double one = opacityOfLength(alpha.v[i], 0.5);
         EXPECT_EQ(corrected.v[i], one);
@@ -232,7 +233,7 @@ TEST(Optics, TakesAVectorType) {
         const Vector n = normalFromGradient<double>({gradient.x.v[i], gradient.y.v[i], gradient.z.v[i]});
         const Vector t = facingViewer(normalInRayFrame<double>(n, {0.6, 0, -0.8}));
         EXPECT_EQ(point.x.v[i], litSpherePoint(t).x);
-        EXPECT_EQ(lit.g.v[i], phong<double>({0.5, 0.5, 0.5}, t.z, {0.2, 10}).g);
+        EXPECT_EQ(lit.g.v[i], phong<double>({0.5, 0.5, 0.5}, t.z, {0.1, 0.7, 0.2, 10}).g);
     }
 }
 
