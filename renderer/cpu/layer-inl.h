@@ -58,10 +58,44 @@ class LayerEvaluation {
   public:
     LayerEvaluation(const KernelScene& scene, const KernelLayer& layer) : scene_(scene), layer_(layer) {}
 
+    /// Whether the layer's surface is not the field's own.
+    [[nodiscard]] HWY_INLINE bool moves() const {
+        return layer_.focusStrength > 0 || (layer_.cut != nullptr && layer_.cut->faces);
+    }
+
+    /// What such a layer finds at a sample.
+    HWY_NOINLINE Facts<Field> moved(const Facts<Field>& facts) const {
+        Facts<Field> own = facts;
+        if (layer_.focusStrength > 0) {
+            own.blur(layer_);
+        }
+        if (layer_.cut != nullptr && layer_.cut->faces) {
+            own.layOntoFace(*layer_.cut);
+        }
+        return own;
+    }
+
     /// Colour of every lane, and what the sample covers of what is behind; `out`'s alpha is of no use afterwards.
+    /// `facts`: the layer's own where it moves.
     HWY_INLINE Floats evaluate(const Facts<Field>& facts, LaneColours& out) const {
-        const bool faces = layer_.cut != nullptr && layer_.cut->faces;
-        return layer_.focusStrength > 0 || faces ? evaluateMoved(facts, faces, out) : evaluateAt(facts, out);
+        const Floats width = contourWidth(facts);
+        if (layer_.opacityByValue) {
+            const TablePlace at(entryOf(facts.tableEntry));
+            const Floats opacity = opacityOfPart(at.read(layer_.stepOpacity), facts.part);
+            if (!hn::AllFalse(kF, hn::Gt(opacity, splat(0)))) {
+                colour(facts, width, nodesOfLine(at), out);
+                tint(facts, out);
+            }
+            return opacity;
+        }
+        Floats opacity = layer_.rowOfSlot != nullptr ? byLabels(facts, width, out) : row(facts, width, splat(0), out);
+        if (layer_.rowOfSlot == nullptr && layer_.shownSlots != nullptr) {
+            opacity = hn::Mul(opacity, shownShare(facts));
+        }
+        if ((layer_.parts.any || facts.faceCount > 0) && !hn::AllFalse(kF, hn::Gt(opacity, splat(0)))) {
+            opacity = LayerParts<Field>(scene_, layer_, facts).apply(opacity, out);
+        }
+        return ofStep(opacity, partOf(facts));
     }
 
     /// Share of a step that a sample stands for in this layer.
@@ -90,39 +124,6 @@ class LayerEvaluation {
     }
 
   private:
-    HWY_INLINE Floats evaluateAt(const Facts<Field>& facts, LaneColours& out) const {
-        const Floats width = contourWidth(facts);
-        if (layer_.opacityByValue) {
-            const TablePlace at(entryOf(facts.tableEntry));
-            const Floats opacity = opacityOfPart(at.read(layer_.stepOpacity), facts.part);
-            if (!hn::AllFalse(kF, hn::Gt(opacity, splat(0)))) {
-                colour(facts, width, nodesOfLine(at), out);
-                tint(facts, out);
-            }
-            return opacity;
-        }
-        Floats opacity = layer_.rowOfSlot != nullptr ? byLabels(facts, width, out) : row(facts, width, splat(0), out);
-        if (layer_.rowOfSlot == nullptr && layer_.shownSlots != nullptr) {
-            opacity = hn::Mul(opacity, shownShare(facts));
-        }
-        if ((layer_.parts.any || facts.faceCount > 0) && !hn::AllFalse(kF, hn::Gt(opacity, splat(0)))) {
-            opacity = LayerParts<Field>(scene_, layer_, facts).apply(opacity, out);
-        }
-        return ofStep(opacity, partOf(facts));
-    }
-
-    /// For layers whose surface is not the field's own.
-    HWY_NOINLINE Floats evaluateMoved(const Facts<Field>& facts, bool faces, LaneColours& out) const {
-        Facts<Field> own = facts;
-        if (layer_.focusStrength > 0) {
-            own.blur(layer_);
-        }
-        if (faces) {
-            own.layOntoFace(*layer_.cut);
-        }
-        return evaluateAt(own, out);
-    }
-
     /// Of the layer's table over the value.
     HWY_INLINE Floats entryOf(Floats sceneEntry) const {
         return hn::MulAdd(sceneEntry, splat(layer_.x.scale), splat(layer_.x.bias));

@@ -240,9 +240,7 @@ class ShadeQueue {
     /// All layers of each sample, one composited after the other; a pixel that is opaque takes no more samples.
     HWY_NOINLINE void compose(const Facts<VoxelField>& facts, int count) {
         for (std::size_t i = 0; i < layers_.size(); ++i) {
-            const LayerEvaluation<VoxelField> layer(scene_, scene_.layers[i]);
-            layers_[i].opacity = layer.evaluate(facts, layers_[i].colours);
-            lightByCues(layers_[i].colours);
+            layers_[i].opacity = evaluate({scene_, scene_.layers[i]}, facts, layers_[i].colours);
         }
         for (int lane = 0; lane < count; ++lane) {
             float* pixel = rgba_ + 4 * pixel_[lane];
@@ -273,9 +271,8 @@ class ShadeQueue {
         for (std::size_t i = 0; i < layers_.size(); ++i) {
             const KernelLayer& kernelLayer = scene_.layers[i];
             const LayerEvaluation<VoxelField> layer(scene_, kernelLayer);
-            const Floats opacity = layer.evaluate(facts, layers_[i].colours);
+            const Floats opacity = evaluate(layer, facts, layers_[i].colours);
             layers_[i].opacity = opacity;
-            lightByCues(layers_[i].colours);
             composer_.weigh(measures, weight, kernelLayer.importanceWeight, opacity, layer.partOf(facts),
                             layers_[i].weighed);
         }
@@ -301,6 +298,29 @@ class ShadeQueue {
             }
             composer_.endWhereCertain(pixel, ahead.at[lane], share.at[lane]);
         }
+    }
+
+    /// One layer with the depth cues.
+    HWY_INLINE Floats evaluate(const LayerEvaluation<VoxelField>& layer, const Facts<VoxelField>& facts,
+                               LaneColours& out) const {
+        if (layer.moves()) {
+            return evaluateMoved(layer, facts, out);
+        }
+        const Floats opacity = layer.evaluate(facts, out);
+        lightByCues(out);
+        return opacity;
+    }
+
+    HWY_NOINLINE Floats evaluateMoved(const LayerEvaluation<VoxelField>& layer, const Facts<VoxelField>& facts,
+                                      LaneColours& out) const {
+        const Facts<VoxelField> own = layer.moved(facts);
+        const Floats opacity = layer.evaluate(own, out);
+        if (scene_.cues.any) {
+            CueLanes<VoxelField> cues(scene_);
+            cues.measure(own);
+            cues.apply(out);
+        }
+        return opacity;
     }
 
     HWY_INLINE void lightByCues(LaneColours& colours) const {

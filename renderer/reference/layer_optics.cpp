@@ -409,7 +409,7 @@ LayerSample shadeLayer(const RenderPlan& plan, const PlanLayer& layer, const Sam
     if (cutFaces) {
         layOntoFace(plan, *layer.cut, own);
     }
-    return withCues(plan, facts, withParts(plan, layer, own, classified(plan, layer, own)));
+    return withCues(plan, own, withParts(plan, layer, own, classified(plan, layer, own)));
 }
 
 } // namespace limner::reference
