@@ -21,6 +21,7 @@ namespace {
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 constexpr int kAmbientCells = 96; ///< on the longest axis: hollows are soft
 constexpr int kEdgeCells = 160;   ///< halos and shadows have an edge
+constexpr int kDraftCells = 64;   ///< ... which a moving picture may blur: an eighth of the time and less
 
 /// A sweep along one direction, slice by slice from where the light comes.
 class Sweep {
@@ -251,12 +252,13 @@ const DepthCueFields::Field& DepthCueFields::opacity(const RenderPlan& plan, int
     });
 }
 
-void DepthCueFields::add(RenderPlan& plan, Task& task) {
+void DepthCueFields::add(RenderPlan& plan, CueDetail detail, Task& task) {
     if (!plan.figure->depthCues || plan.layers.empty()) {
         return;
     }
     const DepthCues& source = *plan.figure->depthCues;
     const Grid& grid = plan.volume->grid();
+    const int edgeCells = detail == CueDetail::draft ? kDraftCells : kEdgeCells;
     PlanDepthCues cues;
     cues.source = &source;
     const auto kept = [](CueField field) { return std::make_shared<const CueField>(std::move(field)); };
@@ -267,7 +269,7 @@ void DepthCueFields::add(RenderPlan& plan, Task& task) {
     }
     const glm::dmat3 mmFromEye = glm::transpose(plan.rays.eyeFromMm);
     if (source.shadow && source.shadow->strength > 0) {
-        const Field& coarse = opacity(plan, kEdgeCells);
+        const Field& coarse = opacity(plan, edgeCells);
         const ContactShadow& shadow = *source.shadow;
         cues.lightEye = lightEye(shadow.light, plan.rays);
         const glm::dvec3 light = mmFromEye * cues.lightEye;
@@ -276,7 +278,7 @@ void DepthCueFields::add(RenderPlan& plan, Task& task) {
         });
     }
     if (source.halo && source.halo->strength > 0) {
-        const Field& coarse = opacity(plan, kEdgeCells);
+        const Field& coarse = opacity(plan, edgeCells);
         const double width =
             source.halo->widthMm * plan.figure->camera.heightMm / plan.figure->output.heightMm; // on the object
         const glm::dvec3 viewer = mmFromEye[2];

@@ -16,11 +16,14 @@ std::vector<float> occlusionTowards(const CueField& opacity, const Grid& grid, c
 /// Whether a figure's depth cues go by the direction of surfaces.
 bool readNormals(const std::optional<DepthCues>& cues);
 
+/// How finely halos and shadows are measured: a draft must not wait for them.
+enum class CueDetail { draft, still };
+
 /// Fills in a plan's depth cues and keeps what their fields were made from.
 class DepthCueFields {
   public:
     /// Absent where the figure has none with any strength. After the plan's layers, fields and gradient scale.
-    void add(RenderPlan& plan, Task& task);
+    void add(RenderPlan& plan, CueDetail detail, Task& task);
 
   private:
     using Field = std::shared_ptr<const CueField>;
@@ -30,10 +33,10 @@ class DepthCueFields {
                                   Clip, glm::dvec3, int>;
     const Field& opacity(const RenderPlan& plan, int mostCells);
 
-    RecentResults<OpacityKey, Field> opacities_{2}; ///< two sizes of cell
+    RecentResults<OpacityKey, Field> opacities_{3}; ///< sizes of cells
     RecentResults<std::pair<Field, double>, Field> ambient_;
-    RecentResults<std::tuple<Field, glm::dvec3, double, double>, Field> shadow_;
-    RecentResults<std::tuple<Field, glm::dvec3, double, double>, Field> halo_;
+    RecentResults<std::tuple<Field, glm::dvec3, double, double>, Field> shadow_{2}; ///< of draft and still
+    RecentResults<std::tuple<Field, glm::dvec3, double, double>, Field> halo_{2};
 };
 
 } // namespace limner

@@ -127,7 +127,7 @@ struct Costs {
         cost.estimatedMs += parallelMs(kOpacityNsPerVoxel * static_cast<double>(plan.volume->grid().voxelCount()));
         RenderPlan without = plan;
         without.cues.reset();
-        cost.measuredMs = millisecondsOf([&] { DepthCueFields().add(without, task); });
+        cost.measuredMs = millisecondsOf([&] { DepthCueFields().add(without, CueDetail::still, task); });
         return cost;
     }
 

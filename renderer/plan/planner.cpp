@@ -233,7 +233,7 @@ std::shared_ptr<const RenderPlan> Planner::plan(const Figure& figure, const Plan
     cache_->addSkipGrid(*plan, request);
     cache_->packAtlas(*plan, request.omit);
     cache_->measureGradients(*plan);
-    cache_->cues.add(*plan, task);
+    cache_->cues.add(*plan, request.stepScale > 1 ? CueDetail::draft : CueDetail::still, task);
     describePlan(*plan, request);
     return plan;
 }
