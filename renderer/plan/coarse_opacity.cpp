@@ -81,7 +81,9 @@ class ColumnOpacity {
         columns_.resize(source.size());
         std::transform(source.begin(), source.end(), columns_.begin(), column);
         const double entries = static_cast<double>(table_.opacity.size() - 1);
-        perValue_ = table_.high > table_.low ? entries / (table_.high - table_.low) : 0;
+        low_ = entryUnit(table_.low);
+        const double span = entryUnit(table_.high) - low_;
+        perUnit_ = span != 0 ? entries / span : 0;
         everywhere_ = table_.axisX == TransferAxis::value ? 0 : *std::max_element(columns_.begin(), columns_.end());
         thins_ = layer.parts && layer.parts->gradientOpacity;
         needsGradient_ = thins_ || (plane && table_.axisY == TransferAxis::gradient);
@@ -121,8 +123,14 @@ class ColumnOpacity {
     }
 
   private:
+    /// What a table's entries lie evenly over: the value, or the codes of uneven levels.
+    [[nodiscard]] double entryUnit(double value) const {
+        const Volume& volume = *plan_.volume;
+        return volume.contents().levels.empty() ? value : volume.storedFromValue(value);
+    }
+
     [[nodiscard]] std::size_t entryOf(float value) const {
-        const double entry = (static_cast<double>(value) - table_.low) * perValue_;
+        const double entry = (entryUnit(value) - low_) * perUnit_;
         const auto last = static_cast<double>(table_.opacity.size() - 1);
         return static_cast<std::size_t>(std::clamp(entry, 0.0, last) + 0.5);
     }
@@ -137,7 +145,8 @@ class ColumnOpacity {
     const TransferTable& table_;
     std::vector<float> columns_;
     int rows_ = 1;
-    double perValue_ = 0;
+    double low_ = 0;
+    double perUnit_ = 0;   ///< entries
     float everywhere_ = 0; ///< axes without the value: their most
     bool thins_ = false;
     bool needsGradient_ = false;

@@ -112,6 +112,25 @@ TEST(CoarseOpacity, IsThatOfItsVoxels) {
     EXPECT_EQ(coarse.dims, (plan->volume->grid().dims + 2) / 3);
 }
 
+TEST(CoarseOpacity, OfEightBitVoxelsIsThatOfFullOnes) {
+    const auto at = [](VoxelPrecision precision) {
+        testing::SmoothScene scene;
+        scene.type = VoxelType::int16;
+        Figure figure = testing::smoothFigure(scene);
+        figure.quality.precision = precision;
+        PlanRequest request;
+        request.size = {24, 24};
+        const auto plan = testing::planOf(figure, request);
+        EXPECT_EQ(plan->volume->type() == VoxelType::uint8, precision == VoxelPrecision::eightBits);
+        return coarseOpacity(*plan, 4);
+    };
+    const CueField full = at(VoxelPrecision::full);
+    const CueField eight = at(VoxelPrecision::eightBits);
+    for (std::size_t i = 0; i < full.values.size(); ++i) {
+        EXPECT_NEAR(full.values[i], eight.values[i], 0.01) << i; // 1/256 of the values, on ramps of slope 1 or so
+    }
+}
+
 TEST(CoarseOpacity, LeavesOutWhatIsCutAway) {
     const auto count = [](const RenderPlan& plan) {
         double sum = 0;
