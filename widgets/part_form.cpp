@@ -69,7 +69,8 @@ bool PartForm::on() const { return figure_ && has(*figure_, layer_); }
 bool PartForm::mayEdit() const { return figure_ && (!pointer_.starts_with("/layers/") || mayChange(*figure_, layer_)); }
 
 void PartForm::setFigure(std::shared_ptr<const Figure> figure, std::size_t layer) {
-    if (layer != layer_ || scanOf(figure) != scanOf(figure_))
+    const auto layers = [](const std::shared_ptr<const Figure>& f) { return f ? f->layers.size() : 0; };
+    if (layer != layer_ || layers(figure) != layers(figure_) || scanOf(figure) != scanOf(figure_))
         forget();
     figure_ = std::move(figure);
     layer_ = layer;
@@ -92,7 +93,8 @@ void PartForm::submit(const QString& label, const std::string& key, bool ongoing
                       const std::function<void(Figure&)>& change) {
     if (!mayEdit())
         return;
-    Edit edit{*figure_, label.toStdString(), key.empty() ? key : key + "@" + std::to_string(layer_), ongoing};
+    Edit edit{*figure_, label.toStdString(), key.empty() ? key : pointer_ + "/" + key + "@" + std::to_string(layer_),
+              ongoing};
     change(edit.figure);
     Q_EMIT edited(edit);
 }

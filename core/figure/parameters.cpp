@@ -490,8 +490,8 @@ std::span<const Field> fieldsOf<Quality>() {
         field<&T::samplesPerPixel>("samples_per_pixel",
                                    {.label = "Smoothing", .help = "Rays per pixel: 1, 4 or 16.", .low = 1, .high = 16}),
         field<&T::precision>("precision", {.label = "Voxels",
-                                           .help = "As they are, or in the 256 levels that fit the scan best: half "
-                                                   "the memory, at an error that is shown.",
+                                           .help = "As they are, or drawn from a copy in the 256 levels that fit the "
+                                                   "scan best: half as large, at an error that is shown.",
                                            .cost = kFields,
                                            .choices = {"full", "8-bit"},
                                            .omitDefault = true}),

@@ -62,7 +62,7 @@ struct KernelParts {
 
 /// PlanCut.
 struct KernelCut {
-    static constexpr int kMaxPlanes = 32;
+    static constexpr int kMaxPlanes = 72; ///< a box and as many planes as a figure may have
     struct Plane {
         float insideFromCell[4]; ///< mm inside
         float normalEye[3];
@@ -197,7 +197,7 @@ struct KernelPlane { ///< keeps dot(normal, q) <= offset
 };
 
 struct KernelScene {
-    static constexpr int kMaxPlanes = 32;
+    static constexpr int kMaxPlanes = KernelCut::kMaxPlanes;
 
     const std::uint8_t* bricks = nullptr;
     VoxelType type = VoxelType::uint8;

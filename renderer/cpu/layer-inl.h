@@ -68,6 +68,10 @@ class LayerEvaluation {
         Facts<Field> own = facts;
         if (layer_.focusStrength > 0) {
             own.blur(layer_);
+            if (scene_.faces != nullptr) { // blurred is what is inside
+                own.faceCount = 0;
+                own.layOntoFace(*scene_.faces);
+            }
         }
         if (layer_.cut != nullptr && layer_.cut->faces) {
             own.layOntoFace(*layer_.cut);

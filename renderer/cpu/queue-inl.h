@@ -215,18 +215,24 @@ class ShadeQueue {
         const Floats scale = hn::Div(hn::Load(kF, weight_), hn::Max(total, splat(1e-30F)));
         for (std::size_t i = 0; i < layers_.size(); ++i) {
             const Floats share = hn::Mul(hn::Load(kF, layers_[i].opacity.at), scale);
-            if (hn::AllFalse(kF, hn::Gt(share, splat(0)))) {
-                continue;
+            layers_[i].opacity = share;
+            layers_[i].shows = !hn::AllFalse(kF, hn::Gt(share, splat(0)));
+            if (layers_[i].shows) {
+                LayerEvaluation<VoxelField>(scene_, scene_.layers[i]).colourByValue(facts, layers_[i].colours);
+                lightByCues(layers_[i].colours);
             }
-            LaneColours& colours = layers_[i].colours;
-            LayerEvaluation<VoxelField>(scene_, scene_.layers[i]).colourByValue(facts, colours);
-            lightByCues(colours);
-            const LaneFloats weight(share);
-            for (int lane = 0; lane < count; ++lane) {
-                float* pixel = rgba_ + 4 * pixel_[lane];
-                const Quad c = hn::Load(kQuad, colours.rgba + 4 * lane);
-                hn::Store(hn::MulAdd(hn::Set(kQuad, weight.at[lane]), c, hn::Load(kQuad, pixel)), kQuad, pixel);
+        }
+        // Sample by sample: a pixel's sum must not depend on who else is in the vector.
+        for (int lane = 0; lane < count; ++lane) {
+            float* pixel = rgba_ + 4 * pixel_[lane];
+            Quad sum = hn::Load(kQuad, pixel);
+            for (const Evaluated& layer : layers_) {
+                if (layer.shows) {
+                    const Quad c = hn::Load(kQuad, layer.colours.rgba + 4 * lane);
+                    sum = hn::MulAdd(hn::Set(kQuad, layer.opacity.at[lane]), c, sum);
+                }
             }
+            hn::Store(sum, kQuad, pixel);
         }
     }
 
@@ -234,6 +240,7 @@ class ShadeQueue {
     struct Evaluated {
         LaneColours colours;
         LaneFloats opacity;
+        bool shows = false;   ///< early opacity only: in any lane
         WeighedLanes weighed; ///< by importance only
     };
 

@@ -235,7 +235,7 @@ void BuiltScene::setRays(const RenderPlan& plan) {
 void BuiltScene::addPlane(const RenderPlan& plan, const ClipPlane& plane) {
     if (scene_.planeCount == KernelScene::kMaxPlanes) {
         throw Error(ErrorKind::badInput,
-                    {"the figure cannot be drawn", "/clip/planes", "more than 26 clip planes", "remove some of them"});
+                    {"the figure cannot be drawn", "/clip/planes", "more than 66 clip planes", "remove some of them"});
     }
     const Grid& grid = plan.volume->grid();
     const glm::dvec3 normal = glm::transpose(grid.voxelToMmMatrix()) * plane.normal;

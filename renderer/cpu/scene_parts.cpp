@@ -80,7 +80,7 @@ void BuiltScene::addParts(const RenderPlan& plan, const PlanLayer& layer, Kernel
 const KernelCut* BuiltScene::addCut(const RenderPlan& plan, const PlanCut& cut) {
     if (cut.planes.size() > KernelCut::kMaxPlanes) {
         throw Error(ErrorKind::badInput,
-                    {"the figure cannot be drawn", "/layers", "more than 26 clip planes", "remove some of them"});
+                    {"the figure cannot be drawn", "/layers", "more than 66 clip planes", "remove some of them"});
     }
     const Grid& grid = plan.volume->grid();
     KernelCut& out = cuts_.emplace_back();

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace limner {
 
@@ -70,86 +71,89 @@ class Slab {
 class ColumnOpacity {
   public:
     ColumnOpacity(const RenderPlan& plan, const PlanLayer& layer, int voxels)
-        : plan_(plan), layer_(layer), table_(layer.table) {
+        : plan_(plan), layer_(layer), table_(layer.table), counts_(countsInCues(layer)) {
         const auto column = [&](float a) {
             return a >= 1 ? 1.0F : static_cast<float>(-std::expm1(voxels * std::log1p(-static_cast<double>(a))));
         };
-        const bool plane = table_.rows > 0 && (table_.axisY == TransferAxis::gradient ||
-                                               (table_.axisY == TransferAxis::label && !layer.rowOfSlot.empty()));
-        rows_ = plane ? table_.rows : 1;
-        const std::vector<float>& source = plane ? table_.opacity2d : table_.opacity;
+        const std::vector<float>& source = table_.rows > 0 ? table_.opacity2d : table_.opacity;
         columns_.resize(source.size());
         std::transform(source.begin(), source.end(), columns_.begin(), column);
-        const double entries = static_cast<double>(table_.opacity.size() - 1);
-        low_ = entryUnit(table_.low);
-        const double span = entryUnit(table_.high) - low_;
-        perUnit_ = span != 0 ? entries / span : 0;
-        everywhere_ = table_.axisX == TransferAxis::value ? 0 : *std::max_element(columns_.begin(), columns_.end());
+        const bool byValue = table_.axisX == TransferAxis::value;
+        low_ = byValue ? entryUnit(table_.low) : table_.low;
+        const double span = (byValue ? entryUnit(table_.high) : table_.high) - low_;
+        perUnit_ = span != 0 ? static_cast<double>(table_.opacity.size() - 1) / span : 0;
         thins_ = layer.parts && layer.parts->gradientOpacity;
-        needsGradient_ = thins_ || (plane && table_.axisY == TransferAxis::gradient);
     }
 
-    [[nodiscard]] float at(const Slab& slab, int x, int y, int z) const {
-        const float value = slab.at(x, y, z);
-        const std::size_t entry = entryOf(value);
-        const std::size_t size = table_.opacity.size();
-        float most = everywhere_;
-        if (everywhere_ == 0 && rows_ == 1) {
-            most = columns_[entry];
-        }
-        if (rows_ == 1 && !(most > 0)) {
+    [[nodiscard]] float at(const Slab& slab, const glm::ivec3& voxel) const {
+        if (!counts_) {
             return 0;
         }
+        std::size_t row = 0;
         if (!layer_.shownSlots.empty() || !layer_.rowOfSlot.empty()) {
-            const auto slot = static_cast<std::size_t>(plan_.labels->storedAt({x, y, z}));
-            if (!layer_.shownSlots.empty() && layer_.shownSlots[slot] == 0) {
+            const auto slot = static_cast<std::size_t>(plan_.labels->storedAt(voxel));
+            const int own = layer_.rowOfSlot.empty() ? 0 : layer_.rowOfSlot[slot];
+            if (own < 0 || (!layer_.shownSlots.empty() && layer_.shownSlots[slot] == 0)) {
                 return 0;
             }
-            if (!layer_.rowOfSlot.empty() && rows_ > 1) {
-                const int row = layer_.rowOfSlot[slot];
-                return row < 0 ? 0 : columns_[static_cast<std::size_t>(row) * size + entry];
-            }
+            row = static_cast<std::size_t>(own);
         }
-        if (!needsGradient_) {
-            return most;
+        if (table_.rows > 0 && table_.axisY != TransferAxis::label) {
+            const double share = (along(table_.axisY, slab, voxel) - table_.lowY) /
+                                 std::max(table_.highY - table_.lowY, std::numeric_limits<double>::min());
+            row = nearest(share * (table_.rows - 1), static_cast<std::size_t>(table_.rows));
         }
-        const double unit = std::min(slab.gradientAt(x, y, z, plan_.volume->grid().spacingMm) / plan_.gradientMax, 1.0);
-        if (rows_ > 1) {
-            const double rowsOf = (unit - table_.lowY) / std::max(table_.highY - table_.lowY, 1e-30) * (rows_ - 1);
-            const auto row = static_cast<std::size_t>(std::clamp(std::lround(rowsOf), 0L, rows_ - 1L));
-            most = columns_[row * size + entry];
-        }
-        return thins_ ? most * gradientFactor(unit) : most;
+        const double entry = (along(table_.axisX, slab, voxel) - low_) * perUnit_;
+        const std::size_t entries = table_.opacity.size();
+        const float opacity = columns_[row * entries + nearest(entry, entries)];
+        return thins_ && opacity > 0 ? opacity * gradientFactor(unitGradient(slab, voxel)) : opacity;
     }
 
   private:
+    static std::size_t nearest(double place, std::size_t count) {
+        return static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(count - 1)) + 0.5);
+    }
+
     /// What a table's entries lie evenly over: the value, or the codes of uneven levels.
     [[nodiscard]] double entryUnit(double value) const {
         const Volume& volume = *plan_.volume;
         return volume.contents().levels.empty() ? value : volume.storedFromValue(value);
     }
 
-    [[nodiscard]] std::size_t entryOf(float value) const {
-        const double entry = (entryUnit(value) - low_) * perUnit_;
-        const auto last = static_cast<double>(table_.opacity.size() - 1);
-        return static_cast<std::size_t>(std::clamp(entry, 0.0, last) + 0.5);
+    [[nodiscard]] double unitGradient(const Slab& slab, const glm::ivec3& v) const {
+        return std::min(slab.gradientAt(v.x, v.y, v.z, plan_.volume->grid().spacingMm) / plan_.gradientMax, 1.0);
+    }
+
+    /// Place on an axis.
+    [[nodiscard]] double along(TransferAxis axis, const Slab& slab, const glm::ivec3& voxel) const {
+        switch (axis) {
+        case TransferAxis::gradient: return unitGradient(slab, voxel);
+        case TransferAxis::second: return plan_.secondVolume->valueAt(voxel);
+        case TransferAxis::distance:
+            return layer_.distance ? layer_.distance->valueAt(voxel)
+                                   : glm::distance(plan_.volume->grid().mmFromVoxel(glm::dvec3(voxel)),
+                                                   layer_.distanceFromMm.value_or(glm::dvec3(0)));
+        case TransferAxis::value:
+        case TransferAxis::label:
+        case TransferAxis::curvature:
+        case TransferAxis::importance: break; // the last two: see countsInCues
+        }
+        return entryUnit(slab.at(voxel.x, voxel.y, voxel.z));
     }
 
     [[nodiscard]] float gradientFactor(double unit) const {
         const std::vector<float>& factors = layer_.parts->gradientTable;
-        return factors[static_cast<std::size_t>(unit * static_cast<double>(factors.size() - 1) + 0.5)];
+        return factors[nearest(unit * static_cast<double>(factors.size() - 1), factors.size())];
     }
 
     const RenderPlan& plan_;
     const PlanLayer& layer_;
     const TransferTable& table_;
+    bool counts_;
     std::vector<float> columns_;
-    int rows_ = 1;
     double low_ = 0;
-    double perUnit_ = 0;   ///< entries
-    float everywhere_ = 0; ///< axes without the value: their most
+    double perUnit_ = 0; ///< entries
     bool thins_ = false;
-    bool needsGradient_ = false;
 };
 
 /// Share of a cell's opacity that the figure's and the layer's cuts and the layer's fading by position leave.
@@ -202,7 +206,11 @@ int voxelsPerCell(const Grid& grid, int mostCells) {
     return std::max(1, (longest + mostCells - 1) / mostCells);
 }
 
-CueField coarseOpacity(const RenderPlan& plan, int voxels) {
+bool countsInCues(const PlanLayer& layer) {
+    return !readsAxis(layer, TransferAxis::curvature) && !readsAxis(layer, TransferAxis::importance);
+}
+
+CueField coarseOpacity(const RenderPlan& plan, int voxels, Task& task) {
     const Volume& volume = *plan.volume;
     const glm::ivec3 dims = volume.grid().dims;
     CueField field{(dims + voxels - 1) / voxels, voxels, 1, {}};
@@ -216,6 +224,9 @@ CueField coarseOpacity(const RenderPlan& plan, int voxels) {
     const PlanCut figures = planCut(plan.clip, *plan.figure, plan.rays);
     const double cellMm = voxels * volume.grid().smallestSpacingMm();
     tbb::parallel_for(0, field.dims.z, [&](int cz) {
+        if (task.cancelled()) {
+            return;
+        }
         const int z0 = cz * voxels;
         const int z1 = std::min(z0 + voxels, dims.z);
         const Slab slab(volume, z0 - 1, z1);
@@ -231,7 +242,7 @@ CueField coarseOpacity(const RenderPlan& plan, int voxels) {
                     for (int z = low.z; z < high.z; ++z)
                         for (int y = low.y; y < high.y; ++y)
                             for (int x = low.x; x < high.x; ++x) {
-                                sum += layers[i].at(slab, x, y, z);
+                                sum += layers[i].at(slab, {x, y, z});
                             }
                     const glm::ivec3 size = high - low;
                     const double mean = sum / (static_cast<double>(size.x) * size.y * size.z);
@@ -244,6 +255,7 @@ CueField coarseOpacity(const RenderPlan& plan, int voxels) {
             }
         }
     });
+    task.throwIfCancelled();
     return field;
 }
 

@@ -116,6 +116,10 @@ void sweepAll(const CueField& opacity, const Grid& grid, const std::vector<std::
         const std::size_t count = std::min(kAtOnce, sweeps.size() - first);
         std::vector<std::vector<float>> results(count);
         tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+            if (task.cancelled()) {
+                results[i].resize(opacity.values.size());
+                return;
+            }
             const auto& [direction, reach] = sweeps[first + i];
             results[i] = occlusionTowards(opacity, grid, direction, reach);
         });
@@ -125,6 +129,7 @@ void sweepAll(const CueField& opacity, const Grid& grid, const std::vector<std::
             }
         });
     }
+    task.throwIfCancelled();
 }
 
 CueField emptyLike(const CueField& opacity, int channels) {
@@ -234,19 +239,44 @@ std::vector<float> occlusionTowards(const CueField& opacity, const Grid& grid, c
     return Sweep(opacity, grid, towardsMm, reachMm).run(opacity.values);
 }
 
+namespace {
+
+/// The drawn layers without what does not change their opacity: a new colour must not sweep anew.
+std::vector<Layer> whatMakesOpaque(const RenderPlan& plan) {
+    std::vector<Layer> layers;
+    for (const PlanLayer& planned : plan.layers) {
+        const Layer& source = *planned.source;
+        Layer layer;
+        layer.opacity = source.opacity;
+        layer.transfer = source.transfer;
+        layer.transfer.nodes.clear();
+        if (layer.transfer.grid) {
+            layer.transfer.grid->styles.clear();
+        }
+        layer.gradientOpacity = source.gradientOpacity;
+        layer.position = source.position;
+        layer.labels = source.labels;
+        layer.clip = source.clip;
+        layers.push_back(std::move(layer));
+    }
+    return layers;
+}
+
+} // namespace
+
 bool readNormals(const std::optional<DepthCues>& cues) {
     return cues && ((cues->ambientOcclusion && cues->ambientOcclusion->strength > 0) ||
                     (cues->shadow && cues->shadow->strength > 0));
 }
 
-const DepthCueFields::Field& DepthCueFields::opacity(const RenderPlan& plan, int mostCells) {
+const DepthCueFields::Field& DepthCueFields::opacity(const RenderPlan& plan, int mostCells, Task& task) {
     const int voxels = voxelsPerCell(plan.volume->grid(), mostCells);
     const bool fades = std::any_of(plan.layers.begin(), plan.layers.end(), [](const PlanLayer& layer) {
         return layer.parts && layer.parts->position && layer.parts->position->axis == "view";
     });
     const glm::dvec3 view = fades ? plan.figure->camera.direction : glm::dvec3(0);
-    return opacities_.get({plan.volume, plan.labels, plan.figure->layers, plan.clip, view, voxels}, [&] {
-        CueField field = coarseOpacity(plan, voxels);
+    return opacities_.get({plan.volume, plan.labels, whatMakesOpaque(plan), plan.clip, view, voxels}, [&] {
+        CueField field = coarseOpacity(plan, voxels, task);
         smooth(field);
         return std::make_shared<const CueField>(std::move(field));
     });
@@ -263,22 +293,24 @@ void DepthCueFields::add(RenderPlan& plan, CueDetail detail, Task& task) {
     cues.source = &source;
     const auto kept = [](CueField field) { return std::make_shared<const CueField>(std::move(field)); };
     if (source.ambientOcclusion && source.ambientOcclusion->strength > 0) {
-        const Field& coarse = opacity(plan, kAmbientCells);
+        const Field& coarse = opacity(plan, kAmbientCells, task);
         const double reach = source.ambientOcclusion->reachMm;
         cues.ambient = ambient_.get({coarse, reach}, [&] { return kept(ambientField(*coarse, grid, reach, task)); });
     }
     const glm::dmat3 mmFromEye = glm::transpose(plan.rays.eyeFromMm);
     if (source.shadow && source.shadow->strength > 0) {
-        const Field& coarse = opacity(plan, edgeCells);
+        const Field& coarse = opacity(plan, edgeCells, task);
         const ContactShadow& shadow = *source.shadow;
         cues.lightEye = lightEye(shadow.light, plan.rays);
-        const glm::dvec3 light = mmFromEye * cues.lightEye;
+        // An object's light by its own numbers: turned to the eye and back it would differ from view to view.
+        const bool own = shadow.light.kind == "object" && glm::length(shadow.light.direction) > 0;
+        const glm::dvec3 light = own ? glm::normalize(shadow.light.direction) : mmFromEye * cues.lightEye;
         cues.shadow = shadow_.get({coarse, light, shadow.softDeg, shadow.reachMm}, [&] {
             return kept(shadowField(*coarse, grid, light, shadow.softDeg, shadow.reachMm, task));
         });
     }
-    if (source.halo && source.halo->strength > 0) {
-        const Field& coarse = opacity(plan, edgeCells);
+    if (source.halo && source.halo->strength > 0 && !plan.rays.perspective) { // swept along parallel rays
+        const Field& coarse = opacity(plan, edgeCells, task);
         const double width =
             source.halo->widthMm * plan.figure->camera.heightMm / plan.figure->output.heightMm; // on the object
         const glm::dvec3 viewer = mmFromEye[2];

@@ -31,7 +31,7 @@ class DepthCueFields {
     /// cell.
     using OpacityKey = std::tuple<std::shared_ptr<const Volume>, std::shared_ptr<const Volume>, std::vector<Layer>,
                                   Clip, glm::dvec3, int>;
-    const Field& opacity(const RenderPlan& plan, int mostCells);
+    const Field& opacity(const RenderPlan& plan, int mostCells, Task& task);
 
     RecentResults<OpacityKey, Field> opacities_{3}; ///< sizes of cells
     RecentResults<std::pair<Field, double>, Field> ambient_;

@@ -1,6 +1,7 @@
 #include "renderer/plan/describe_plan.h"
 
 #include "core/figure/figure_json.h"
+#include "renderer/plan/coarse_opacity.h"
 #include "renderer/plan/eight_bits.h"
 #include "renderer/plan/mip_levels.h"
 
@@ -89,7 +90,13 @@ void describeParts(const RenderPlan& plan, const AddFeature& feature) {
             "a cut asks for them", "no cut asks for them");
     feature(plan.cues && plan.cues->ambient, "ambient occlusion", "the figure asks for it", "the figure has none");
     feature(plan.cues && plan.cues->shadow, "contact shadow", "the figure asks for it", "the figure has none");
-    feature(plan.cues && plan.cues->halo, "halos", "the figure asks for them", "the figure has none");
+    const bool asked = plan.figure->depthCues && plan.figure->depthCues->halo;
+    feature(plan.cues && plan.cues->halo, "halos", "the figure asks for them",
+            asked && plan.rays.perspective ? "they follow parallel rays, and the camera has perspective"
+                                           : "the figure has none");
+    if (plan.cues && !std::all_of(plan.layers.begin(), plan.layers.end(), countsInCues)) {
+        feature(false, "depth cues of a layer", "", "curvature or importance tells what it shows, along rays only");
+    }
 }
 
 /// Each measure on its own: one without a weight is not taken.
@@ -173,7 +180,12 @@ void describePlan(RenderPlan& plan, const PlanRequest& request) {
     }
     plan.bytes += plan.labels ? plan.labels->bytes() : 0;
     plan.bytes += plan.secondVolume ? plan.secondVolume->bytes() : 0;
-    plan.bytes += plan.importance && plan.importance->statistics ? plan.importance->statistics->bytes() : 0;
+    for (const auto* measures : {&plan.importance, &plan.axisMeasures}) {
+        if (*measures && (*measures)->statistics) {
+            plan.bytes += (*measures)->statistics->bytes();
+            break; // one field for both
+        }
+    }
 }
 
 } // namespace limner

@@ -16,7 +16,9 @@ std::string whyFull(const RenderPlan& plan) {
     if (plan.field != plan.volume || plan.gradientField != plan.volume) {
         return "splines and smoothed slices are computed from full voxels";
     }
-    const auto blurs = [](const Layer& layer) { return layer.depthOfField.has_value(); };
+    const auto blurs = [&](const Layer& layer) {
+        return plan.figure->draws(layer) && layer.depthOfField && layer.depthOfField->strength > 0;
+    };
     if (std::any_of(plan.figure->layers.begin(), plan.figure->layers.end(), blurs)) {
         return "depth of field blurs full voxels";
     }
@@ -60,7 +62,7 @@ std::string describeEightBits(const RenderPlan& plan) {
     const VoxelType full = plan.figure->volume->data->type();
     return error("RMS error", facts.rmsError, facts.rmsErrorOfEven) +
            error("largest", facts.largestError, facts.largestErrorOfEven) +
-           (full == VoxelType::float32 ? "a quarter of the memory" : "half the memory");
+           (full == VoxelType::float32 ? "a quarter of what full ones take" : "half of what full ones take");
 }
 
 } // namespace limner

@@ -164,7 +164,7 @@ std::vector<std::string> fieldsOf(const RenderPlan& plan) {
     }
     add("distance", [](const PlanLayer& layer) { return readsAxis(layer, TransferAxis::distance); });
     add("second volume", [](const PlanLayer& layer) { return readsAxis(layer, TransferAxis::second); });
-    if (plan.importance && plan.importance->statistics) {
+    if ((plan.importance && plan.importance->statistics) || (plan.axisMeasures && plan.axisMeasures->statistics)) {
         fields.emplace_back("local statistics");
     }
     if (!plan.blurs.empty()) {

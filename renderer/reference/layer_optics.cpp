@@ -405,6 +405,10 @@ LayerSample shadeLayer(const RenderPlan& plan, const PlanLayer& layer, const Sam
     SampleFacts own = facts;
     if (layer.focus) {
         blur(plan, *layer.focus, own);
+        if (plan.faces) { // blurred is what is inside
+            own.faces.clear();
+            layOntoFace(plan, *plan.faces, own);
+        }
     }
     if (cutFaces) {
         layOntoFace(plan, *layer.cut, own);

@@ -104,6 +104,12 @@ void addCuts(Features& features) {
         figure.clip = slantedClip();
         figure.clip.face.emplace();
     });
+    add("figureFacesInDepthOfField", [](Figure& figure) {
+        figure.layers.front().clip.reset();
+        figure.layers.front().depthOfField = DepthOfField{0.3, 1.5};
+        figure.clip = slantedClip();
+        figure.clip.face = CutFace{"", glm::dvec3(0.2, 0.3, 0.9)};
+    });
     add("figureAndLayerFaces", [](Figure& figure) {
         figure.clip.planes = {{{0, 0, 1}, 5}};
         figure.clip.face = CutFace{"", glm::dvec3(0.9, 0.3, 0.2)};

@@ -97,9 +97,14 @@ std::shared_ptr<const RenderPlan> planOfCues(const std::function<void(Figure&)>&
     return testing::planOf(figure, request);
 }
 
+CueField opacityOn(const RenderPlan& plan, int voxelsPerCell) {
+    Task task;
+    return coarseOpacity(plan, voxelsPerCell, task);
+}
+
 TEST(CoarseOpacity, IsThatOfItsVoxels) {
     const auto plan = planOfCues([](Figure&) {});
-    const CueField fine = coarseOpacity(*plan, 1);
+    const CueField fine = opacityOn(*plan, 1);
     const TransferTable& table = plan->layers.front().table;
     for (const glm::ivec3 voxel : {glm::ivec3(15, 17, 16), glm::ivec3(3, 20, 9), glm::ivec3(10, 12, 14)}) {
         const double value = plan->volume->valueAt(voxel);
@@ -108,7 +113,7 @@ TEST(CoarseOpacity, IsThatOfItsVoxels) {
         const float expected = table.opacity[static_cast<std::size_t>(std::lround(entry))];
         EXPECT_NEAR(at(fine.values, fine.dims, voxel), expected, 1e-6);
     }
-    const CueField coarse = coarseOpacity(*plan, 3);
+    const CueField coarse = opacityOn(*plan, 3);
     EXPECT_EQ(coarse.dims, (plan->volume->grid().dims + 2) / 3);
 }
 
@@ -122,7 +127,7 @@ TEST(CoarseOpacity, OfEightBitVoxelsIsThatOfFullOnes) {
         request.size = {24, 24};
         const auto plan = testing::planOf(figure, request);
         EXPECT_EQ(plan->volume->type() == VoxelType::uint8, precision == VoxelPrecision::eightBits);
-        return coarseOpacity(*plan, 4);
+        return opacityOn(*plan, 4);
     };
     const CueField full = at(VoxelPrecision::full);
     const CueField eight = at(VoxelPrecision::eightBits);
@@ -131,10 +136,33 @@ TEST(CoarseOpacity, OfEightBitVoxelsIsThatOfFullOnes) {
     }
 }
 
+TEST(CoarseOpacity, GoesByEveryAxisThatAPlaceTells) {
+    const auto sum = [](const std::function<void(Layer&)>& change) {
+        const auto plan = planOfCues([&](Figure& f) {
+            f.layers[0].transfer.distance.emplace().fromMm = f.volume->data->grid().centreMm();
+            change(f.layers[0]);
+        });
+        double all = 0;
+        for (const float v : opacityOn(*plan, 2).values) {
+            all += v;
+        }
+        return all;
+    };
+    for (const char* axis : {"gradient", "distance", "second", "label"}) {
+        const double plane = sum([&](Layer& l) { testing::makePlane(l, "value", axis); });
+        const double line = sum([&](Layer& l) { testing::makeLine(l, axis); });
+        EXPECT_GT(plane, 10) << axis;
+        EXPECT_GT(line, 10) << axis;
+        const double cells = 15 * 17 * 16;
+        EXPECT_LT(plane, 0.6 * cells) << axis << ": not the most of the curve everywhere";
+    }
+    EXPECT_EQ(sum([](Layer& l) { testing::makeLine(l, "curvature"); }), 0) << "known along rays only";
+}
+
 TEST(CoarseOpacity, LeavesOutWhatIsCutAway) {
     const auto count = [](const RenderPlan& plan) {
         double sum = 0;
-        for (const float v : coarseOpacity(plan, 2).values) {
+        for (const float v : opacityOn(plan, 2).values) {
             sum += v;
         }
         return sum;

@@ -77,7 +77,7 @@ TEST(EightBits, HalfTheMemoryAtAnErrorThatIsShown) {
     const PlanFeature* feature = featureOf(plan->featuresUsed);
     ASSERT_NE(feature, nullptr);
     EXPECT_EQ(feature->reason.find("RMS error "), 0U) << feature->reason;
-    EXPECT_NE(feature->reason.find("half the memory"), std::string::npos);
+    EXPECT_NE(feature->reason.find("half of what full ones take"), std::string::npos);
 }
 
 TEST(EightBits, AFigureThatNeedsFullVoxelsKeepsThemAndSaysWhy) {
