@@ -29,6 +29,16 @@ std::size_t atlasBytes(const StyleAtlas& atlas) {
     return bytes;
 }
 
+/// Of local statistics: one field for composition and axes.
+std::size_t statisticsBytes(const RenderPlan& plan) {
+    for (const auto* measures : {&plan.importance, &plan.axisMeasures}) {
+        if (*measures && (*measures)->statistics) {
+            return (*measures)->statistics->bytes();
+        }
+    }
+    return 0;
+}
+
 template <typename Test>
 bool anyLayer(const RenderPlan& plan, const Test& test) {
     return std::any_of(plan.layers.begin(), plan.layers.end(), test);
@@ -180,12 +190,7 @@ void describePlan(RenderPlan& plan, const PlanRequest& request) {
     }
     plan.bytes += plan.labels ? plan.labels->bytes() : 0;
     plan.bytes += plan.secondVolume ? plan.secondVolume->bytes() : 0;
-    for (const auto* measures : {&plan.importance, &plan.axisMeasures}) {
-        if (*measures && (*measures)->statistics) {
-            plan.bytes += (*measures)->statistics->bytes();
-            break; // one field for both
-        }
-    }
+    plan.bytes += statisticsBytes(plan);
 }
 
 } // namespace limner
