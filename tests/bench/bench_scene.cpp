@@ -67,7 +67,9 @@ Layer sceneLayer(const Scene& scene, Shading shading) {
     Layer layer;
     layer.name = "head";
     layer.shading = shading;
-    layer.specular = Specular{0.2, 10};
+    if (shading == Shading::phong) {
+        layer.specular = Specular{0.2, 10};
+    }
     // Opacity in a figure is of the smallest spacing; the points' is of `unitMm`.
     const double exponent = scene.volume->grid().smallestSpacingMm() / scene.unitMm;
     for (const TransferPoint& point : transferPoints(scene.look)) {
