@@ -197,8 +197,9 @@ struct Facts {
         };
         const Floats sharp = weightOf(0);
         Floats entry = hn::Mul(sharp, tableEntry);
-        const Floats own = hn::Neg(hn::Mul(sharp, normal.magnitude));
-        Vec3 g = {hn::Mul(own, normal.eye.x), hn::Mul(own, normal.eye.y), hn::Mul(own, normal.eye.z)};
+        const Normal sharpNormal = moved ? normalAt(field, place, q, view) : normal; // not a cut's
+        const Floats own = hn::Neg(hn::Mul(sharp, sharpNormal.magnitude));
+        Vec3 g = {hn::Mul(own, sharpNormal.eye.x), hn::Mul(own, sharpNormal.eye.y), hn::Mul(own, sharpNormal.eye.z)};
         for (int k = 1; k <= optics::kBlurLevels; ++k) {
             const KernelBlur& copy = scene.blurs[k - 1];
             const Floats weight = weightOf(k);

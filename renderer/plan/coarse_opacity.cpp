@@ -25,7 +25,7 @@ class Slab {
         values_.resize(static_cast<std::size_t>(z1 - z0 + 1) * static_cast<std::size_t>(dims.x) *
                        static_cast<std::size_t>(dims.y));
         std::vector<std::byte> row(static_cast<std::size_t>(dims.x) * bytesPerVoxel(volume.type()));
-        float* out = values_.data();
+        double* out = values_.data();
         for (int z = z0; z <= z1; ++z) {
             for (int y = 0; y < dims.y; ++y, out += dims.x) {
                 volume.copyRow(y, std::clamp(z, 0, dims.z - 1), row.data());
@@ -34,7 +34,7 @@ class Slab {
         }
     }
 
-    [[nodiscard]] float at(int x, int y, int z) const {
+    [[nodiscard]] double at(int x, int y, int z) const {
         const auto column = static_cast<std::size_t>(std::clamp(x, 0, dims_.x - 1));
         const auto row = static_cast<std::size_t>(std::clamp(y, 0, dims_.y - 1));
         const auto slice = static_cast<std::size_t>(z - z0_);
@@ -49,10 +49,10 @@ class Slab {
     }
 
   private:
-    void read(const Volume& volume, const std::byte* stored, float* out) const {
+    void read(const Volume& volume, const std::byte* stored, double* out) const {
         const auto convert = [&](const auto* numbers) {
             for (int x = 0; x < dims_.x; ++x) {
-                out[x] = static_cast<float>(volume.valueFromStored(static_cast<double>(numbers[x])));
+                out[x] = volume.valueFromStored(static_cast<double>(numbers[x]));
             }
         };
         switch (volume.type()) {
@@ -64,7 +64,7 @@ class Slab {
 
     glm::ivec3 dims_;
     int z0_;
-    std::vector<float> values_;
+    std::vector<double> values_; ///< a unit may be smaller than single precision knows
 };
 
 /// Opacity of a layer at a voxel, of a column as long as a cell.

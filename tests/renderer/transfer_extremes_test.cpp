@@ -99,21 +99,8 @@ TEST_P(TransferExtremes, SpacingsOfOneToAThousand) {
     expectSoundAndAlike(figure, kCoarseStyles, "1:1000");
 }
 
-/// The same figure in another unit of the data.
-void scaleValues(Figure& figure, double factor) {
-    Volume::Contents contents = figure.volume->data->contents();
-    const glm::ivec3 dims = contents.grid.dims;
-    const auto old = figure.volume->data;
-    std::vector<float> stored;
-    for (int i = 0; i < dims.x * dims.y * dims.z; ++i) {
-        const glm::ivec3 at(i % dims.x, i / dims.x % dims.y, i / (dims.x * dims.y));
-        stored.push_back(static_cast<float>(old->storedAt(at)));
-    }
-    contents.slope *= factor;
-    contents.intercept *= factor;
-    contents.range = {contents.range.low * factor, contents.range.high * factor};
-    figure.volume->data = std::make_shared<const Volume>(contents, std::as_bytes(std::span(stored)));
-    Transfer& transfer = figure.layers[0].transfer;
+/// Moves a transfer function to another unit of the data.
+void scaleTransfer(Transfer& transfer, double factor) {
     if (transfer.kind == TransferKind::oneDimensional) {
         const double own = transfer.axis == "value" ? factor : 1;
         for (std::size_t k = 0; k < transfer.nodes.size(); ++k) {
@@ -132,6 +119,25 @@ void scaleValues(Figure& figure, double factor) {
     for (OpacityShape& shape : transfer.opacity2d) {
         scale(shape.x, transfer.axes[0]);
         scale(shape.y, transfer.axes[1]);
+    }
+}
+
+/// The same figure in another unit of the data.
+void scaleValues(Figure& figure, double factor) {
+    Volume::Contents contents = figure.volume->data->contents();
+    const glm::ivec3 dims = contents.grid.dims;
+    const auto old = figure.volume->data;
+    std::vector<float> stored;
+    for (int i = 0; i < dims.x * dims.y * dims.z; ++i) {
+        const glm::ivec3 at(i % dims.x, i / dims.x % dims.y, i / (dims.x * dims.y));
+        stored.push_back(static_cast<float>(old->storedAt(at)));
+    }
+    contents.slope *= factor;
+    contents.intercept *= factor;
+    contents.range = {contents.range.low * factor, contents.range.high * factor};
+    figure.volume->data = std::make_shared<const Volume>(contents, std::as_bytes(std::span(stored)));
+    for (Layer& layer : figure.layers) {
+        scaleTransfer(layer.transfer, factor);
     }
 }
 
