@@ -3,6 +3,7 @@
 #include "core/figure/cleanup_start.h"
 #include "core/figure/parameters.h"
 #include "widgets/cleanup_words.h"
+#include "widgets/form_parts.h"
 #include "widgets/parameter_row.h"
 
 #include <QAction>
@@ -32,19 +33,6 @@ bool countsMatter(CleanupKind kind) {
     return kind == CleanupKind::keepLargest || kind == CleanupKind::keepAt || kind == CleanupKind::removeIslands;
 }
 
-const Volume* scanOf(const Figure* figure) {
-    return figure && figure->volume && figure->volume->data ? figure->volume->data.get() : nullptr;
-}
-
-QLabel* labelFor(const QString& text, QWidget* buddy) {
-    auto* label = new QLabel(text);
-    label->setBuddy(buddy);
-    label->setToolTip(buddy->toolTip());
-    return label;
-}
-
-QString helpOf(const char* pointer) { return QString::fromStdString(findParameter(pointer)->help); }
-
 } // namespace
 
 CleanupForm::CleanupForm(QWidget* parent)
@@ -56,7 +44,7 @@ CleanupForm::CleanupForm(QWidget* parent)
       settings_(new QWidget), form_(new QFormLayout(settings_)), side_(new QComboBox),
       look_(new QPushButton(tr("&Look from there"))), label_(new QSpinBox) {
     list_->setAccessibleName(tr("Clean-up steps"));
-    list_->setToolTip(helpOf("/cleanup"));
+    list_->setToolTip(helpOfSetting("/cleanup"));
     list_->setWordWrap(true);
     list_->setTextElideMode(Qt::ElideNone);
     none_->setWordWrap(true);
@@ -92,7 +80,7 @@ void CleanupForm::buildRows() {
                             bool (*has)(CleanupKind)) {
         auto* row = new ParameterRow(pointer, useful);
         rows_.push_back({row, of, has});
-        form_->addRow(labelFor(row->label(), row->slider()), row);
+        addLabelled(form_, row->label(), row, row->slider());
         connect(row, &ParameterRow::changed, this, [=, this](double value, const std::string& key, bool ongoing) {
             editStep(tr("Change %1").arg(row->label().toLower()), key, ongoing,
                      [&](CleanupStep& step) { of(step) = value; });
@@ -112,15 +100,15 @@ void CleanupForm::buildOthers() {
     side_->addItem(tr("What is inside the outline"), static_cast<int>(ScissorsSide::inside));
     side_->addItem(tr("What is outside"), static_cast<int>(ScissorsSide::outside));
     side_->setAccessibleName(tr("Side that is cut away"));
-    side_->setToolTip(helpOf("/cleanup/*/side"));
+    side_->setToolTip(helpOfSetting("/cleanup/*/side"));
     look_->setToolTip(tr("Turn the figure to the view in which the outline was drawn"));
     label_->setRange(0, 65535); // of a label volume
     label_->setKeyboardTracking(false);
     label_->setAccessibleName(tr("Label to erase"));
-    label_->setToolTip(helpOf("/cleanup/*/label"));
-    form_->addRow(labelFor(tr("C&ut away"), side_), side_);
+    label_->setToolTip(helpOfSetting("/cleanup/*/label"));
+    addLabelled(form_, tr("C&ut away"), side_);
     form_->addRow(QString(), look_);
-    form_->addRow(labelFor(tr("La&bel"), label_), label_);
+    addLabelled(form_, tr("La&bel"), label_);
     connect(side_, &QComboBox::activated, this, [this](int row) {
         editStep(tr("Cut the other side"), {}, false,
                  [&](CleanupStep& step) { step.side = static_cast<ScissorsSide>(side_->itemData(row).toInt()); });

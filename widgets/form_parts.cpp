@@ -1,10 +1,12 @@
 #include "widgets/form_parts.h"
 
+#include "core/figure/figure.h"
 #include "core/figure/parameters.h"
 
 #include <QEvent>
 #include <QFormLayout>
 #include <QLabel>
+#include <QScrollArea>
 #include <QToolButton>
 
 #include <cassert>
@@ -47,6 +49,15 @@ QFormLayout* formLayout(QWidget* parent) {
     return form;
 }
 
+QScrollArea* scrolling(QWidget* content) {
+    auto* scroll = new QScrollArea;
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidget(content);
+    return scroll;
+}
+
 QLabel* addLabelled(QFormLayout* form, const QString& text, QWidget* field, QWidget* buddy) {
     buddy = buddy ? buddy : field;
     auto* label = new QLabel(text);
@@ -67,6 +78,10 @@ QToolButton* textButton(const QString& text, const QString& tip) {
 void leaveWheelToPanel(QWidget* widget) {
     widget->setFocusPolicy(Qt::StrongFocus); // the wheel itself must not give the focus
     widget->installEventFilter(new WheelGuard(widget));
+}
+
+const Volume* scanOf(const Figure* figure) {
+    return figure && figure->volume && figure->volume->data ? figure->volume->data.get() : nullptr;
 }
 
 QString labelOfSetting(std::string_view pointer) { return QString::fromStdString(setting(pointer).label); }

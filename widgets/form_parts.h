@@ -6,10 +6,14 @@
 
 class QFormLayout;
 class QLabel;
+class QScrollArea;
 class QToolButton;
 class QWidget;
 
 namespace limner {
+
+class Volume;
+struct Figure;
 
 /// Small things that forms are made of, so that all look and behave alike.
 
@@ -19,6 +23,9 @@ QLabel* heading(const QString& text);
 /// A form without margins, its rows close to each other.
 QFormLayout* formLayout(QWidget* parent = nullptr);
 
+/// A panel's content in a frameless area that scrolls up and down.
+QScrollArea* scrolling(QWidget* content);
+
 /// Adds a row whose label goes to `buddy` by its letter and has the buddy's tool tip; null: the field itself.
 QLabel* addLabelled(QFormLayout* form, const QString& text, QWidget* field, QWidget* buddy = nullptr);
 
@@ -27,6 +34,9 @@ QToolButton* textButton(const QString& text, const QString& tip);
 
 /// A wheel over the widget scrolls the panel and does not change the widget unless it has the focus.
 void leaveWheelToPanel(QWidget* widget);
+
+/// A figure's scan; null without a figure or a scan.
+const Volume* scanOf(const Figure* figure);
 
 /// Label and help of a setting in the parameter table; the pointer must exist.
 QString labelOfSetting(std::string_view pointer);

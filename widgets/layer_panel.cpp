@@ -27,11 +27,7 @@ LayerPanel::LayerPanel(QWidget* parent)
     column->addWidget(heading(tr("Depth cues, over all layers")));
     column->addWidget(cues_);
     column->addStretch(1);
-    auto* scroll = new QScrollArea;
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setWidget(content);
+    QScrollArea* scroll = scrolling(content);
     auto* split = new QSplitter(Qt::Vertical);
     split->setChildrenCollapsible(false);
     split->addWidget(layers_);

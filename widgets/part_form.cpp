@@ -16,10 +16,6 @@ namespace {
 
 constexpr int kIndent = 20; // rows stand under the check box's words
 
-const Volume* scanOf(const std::shared_ptr<const Figure>& figure) {
-    return figure && figure->volume ? figure->volume->data.get() : nullptr;
-}
-
 } // namespace
 
 PartForm::PartForm(std::string pointer, QWidget* parent)
@@ -70,7 +66,7 @@ bool PartForm::mayEdit() const { return figure_ && (!pointer_.starts_with("/laye
 
 void PartForm::setFigure(std::shared_ptr<const Figure> figure, std::size_t layer) {
     const auto layers = [](const std::shared_ptr<const Figure>& f) { return f ? f->layers.size() : 0; };
-    if (layer != layer_ || layers(figure) != layers(figure_) || scanOf(figure) != scanOf(figure_))
+    if (layer != layer_ || layers(figure) != layers(figure_) || scanOf(figure.get()) != scanOf(figure_.get()))
         forget();
     figure_ = std::move(figure);
     layer_ = layer;

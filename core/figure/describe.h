@@ -8,6 +8,16 @@ namespace limner::description {
 
 /// Makes the descriptions of C++ types; used where settings are declared.
 
+// What the declarations share.
+constexpr auto kNone = ChangeCost::none;
+constexpr auto kRedraw = ChangeCost::redraw;
+constexpr auto kTables = ChangeCost::newTables;
+constexpr auto kPlan = ChangeCost::newPlan;
+constexpr auto kFields = ChangeCost::newFields;
+constexpr auto kVolume = ChangeCost::newVolume;
+constexpr const char* kDataUnit = "HU or the volume's unit";
+constexpr double kFarMm = 1e9; ///< a thousand kilometres: squares of lengths stay far from overflow
+
 template <class T>
 const ValueType& valueType();
 

@@ -6,16 +6,6 @@
 namespace limner::description {
 namespace {
 
-constexpr auto kNone = ChangeCost::none;
-constexpr auto kRedraw = ChangeCost::redraw;
-constexpr auto kTables = ChangeCost::newTables;
-constexpr auto kPlan = ChangeCost::newPlan;
-constexpr auto kFields = ChangeCost::newFields;
-constexpr auto kVolume = ChangeCost::newVolume;
-
-constexpr const char* kDataUnit = "HU or the volume's unit";
-constexpr double kFarMm = 1e9; ///< a thousand kilometres: squares of lengths stay far from overflow
-
 constexpr Facts kOpening{.label = "Opening",
                          .help = "Matter thinner than twice this does not connect, so that a headrest that touches the "
                                  "skin goes; 0: plain connection.",

@@ -3,15 +3,6 @@
 /// Declarations of the optional parts of layers, contours to depth of field; the rest is in parameters.cpp.
 
 namespace limner::description {
-namespace {
-
-constexpr auto kTables = ChangeCost::newTables;
-constexpr auto kPlan = ChangeCost::newPlan;
-constexpr auto kFields = ChangeCost::newFields;
-
-constexpr double kFarMm = 1e9; ///< a thousand kilometres: squares of lengths stay far from overflow
-
-} // namespace
 
 template <>
 std::span<const Field> fieldsOf<Contours>() {

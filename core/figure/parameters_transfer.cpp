@@ -5,13 +5,6 @@
 namespace limner::description {
 namespace {
 
-constexpr auto kTables = ChangeCost::newTables;
-constexpr auto kPlan = ChangeCost::newPlan;
-constexpr auto kFields = ChangeCost::newFields;
-
-constexpr const char* kDataUnit = "HU or the volume's unit";
-constexpr double kFarMm = 1e9; ///< a thousand kilometres: squares of lengths stay far from overflow
-
 /// Whether a field that belongs to some kinds only is written: for those kinds, or so that nothing set is lost.
 template <bool (*Written)(const Transfer&)>
 bool asked(const void* object) {

@@ -97,7 +97,7 @@ class LayerEvaluation {
             opacity = hn::Mul(opacity, shownShare(facts));
         }
         if ((layer_.parts.any || facts.faceCount > 0) && !hn::AllFalse(kF, hn::Gt(opacity, splat(0)))) {
-            opacity = LayerParts<Field>(scene_, layer_, facts).apply(opacity, out);
+            opacity = LayerParts<Field>(layer_, facts).apply(opacity, out);
         }
         return ofStep(opacity, partOf(facts));
     }
@@ -135,7 +135,7 @@ class LayerEvaluation {
 
     HWY_INLINE void tint(const Facts<Field>& facts, LaneColours& out) const {
         if (layer_.parts.any || facts.faceCount > 0) {
-            LayerParts<Field>(scene_, layer_, facts).apply(splat(1), out);
+            LayerParts<Field>(layer_, facts).apply(splat(1), out);
         }
     }
 
@@ -413,6 +413,22 @@ class LayerEvaluation {
     const KernelScene& scene_;
     const KernelLayer& layer_;
 };
+
+/// Opacity of all layers at a sample, one behind the other, where each goes by the value alone; `share(i, opacity)`
+/// gets what layer i has of it.
+template <typename Field, typename Share>
+HWY_INLINE Floats opacityOfLayers(const KernelScene& scene, Floats entry, Floats part, const Share& share) {
+    Floats through = splat(1);
+    Floats total = splat(0);
+    for (int i = 0; i < scene.layerCount; ++i) {
+        const LayerEvaluation<Field> layer(scene, scene.layers[i]);
+        const Floats opacity = hn::Mul(through, layer.opacityByValue(entry, part));
+        share(i, opacity);
+        total = hn::Add(total, opacity);
+        through = hn::Sub(through, opacity);
+    }
+    return total;
+}
 
 } // namespace limner::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

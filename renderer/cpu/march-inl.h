@@ -188,7 +188,8 @@ class March {
         if (earlyOpacity_) {
             Floats opacity = visible;
             if (scene_.layerCount > 1) {
-                opacity = hn::IfThenElseZero(shows, opacityOfLayers(entry, sample.part));
+                const Floats all = opacityOfLayers<VoxelField>(scene_, entry, sample.part, [](int, Floats) {});
+                opacity = hn::IfThenElseZero(shows, all);
             } else if (edge) {
                 opacity = opacityOfPart(visible, sample.part);
             }
@@ -199,19 +200,6 @@ class March {
         } else if (queue_.push({sample.place, sample.q, entry, splat(0), sample.part, pixel_, ray_->view}, shows)) {
             endOpaque();
         }
-    }
-
-    /// Of several layers, one behind the other.
-    HWY_INLINE Floats opacityOfLayers(Floats entry, Floats part) const {
-        Floats through = splat(1);
-        Floats total = splat(0);
-        for (int i = 0; i < scene_.layerCount; ++i) {
-            const LayerEvaluation<VoxelField> layer(scene_, scene_.layers[i]);
-            const Floats opacity = hn::Mul(through, layer.opacityByValue(entry, part));
-            total = hn::Add(total, opacity);
-            through = hn::Sub(through, opacity);
-        }
-        return total;
     }
 
     /// Ends the rays whose pixels are done by now. Samples that went ahead of that are not composed.

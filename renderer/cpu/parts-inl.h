@@ -31,8 +31,8 @@ HWY_NOINLINE Floats keptByCut(const KernelCut& cut, const KernelScene& scene, co
 template <typename Field>
 class LayerParts {
   public:
-    HWY_INLINE LayerParts(const KernelScene& scene, const KernelLayer& layer, const Facts<Field>& facts)
-        : scene_(scene), layer_(layer), parts_(layer.parts), facts_(facts) {}
+    HWY_INLINE LayerParts(const KernelLayer& layer, const Facts<Field>& facts)
+        : layer_(layer), parts_(layer.parts), facts_(facts) {}
 
     /// Changes colours, and gives the opacity of the reference length with the parts.
     HWY_NOINLINE Floats apply(Floats opacity, LaneColours& out) const {
@@ -149,7 +149,6 @@ class LayerParts {
         return hn::Mul(hn::Mul(shine, facts_.trusted), splat(parts_.specularStrength));
     }
 
-    const KernelScene& scene_;
     const KernelLayer& layer_;
     const KernelParts& parts_;
     const Facts<Field>& facts_;

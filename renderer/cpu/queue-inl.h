@@ -203,15 +203,10 @@ class ShadeQueue {
 
     /// Several layers, each with its share of the samples' weight.
     HWY_NOINLINE void addLayersWeighted(const Facts<VoxelField>& facts, int count) {
-        Floats through = splat(1);
-        Floats total = splat(0);
-        for (std::size_t i = 0; i < layers_.size(); ++i) {
-            const LayerEvaluation<VoxelField> layer(scene_, scene_.layers[i]);
-            const Floats opacity = hn::Mul(through, layer.opacityByValue(facts.tableEntry, facts.part));
-            layers_[i].opacity = opacity;
-            total = hn::Add(total, opacity);
-            through = hn::Sub(through, opacity);
-        }
+        const Floats total =
+            opacityOfLayers<VoxelField>(scene_, facts.tableEntry, facts.part, [&](int i, Floats opacity) HWY_ATTR {
+                layers_[static_cast<std::size_t>(i)].opacity = opacity;
+            });
         const Floats scale = hn::Div(hn::Load(kF, weight_), hn::Max(total, splat(1e-30F)));
         for (std::size_t i = 0; i < layers_.size(); ++i) {
             const Floats share = hn::Mul(hn::Load(kF, layers_[i].opacity.at), scale);

@@ -17,16 +17,8 @@ namespace limner {
 
 namespace {
 
-constexpr glm::dvec3 kCellFromVoxel{1}; // cell coordinate = voxel coordinate + 1
-
 /// Unit of the kernel's interpolated values (Field::kScale).
 double kernelScale(VoxelType type) { return type == VoxelType::float32 ? 1.0 : 32767.0; }
-
-void copy(const glm::dvec3& from, double (&to)[3]) {
-    for (int i = 0; i < 3; ++i) {
-        to[i] = from[i];
-    }
-}
 
 } // namespace
 
@@ -211,12 +203,12 @@ void BuiltScene::setRays(const RenderPlan& plan) {
     const RayFrame& rays = plan.rays;
     const double perSubPixel = 1.0 / plan.subPixels;
     scene_.perspective = rays.perspective;
-    copy(rays.originVoxel + kCellFromVoxel, scene_.origin);
-    copy(rays.forwardVoxel, scene_.forward);
-    copy(rays.rightVoxel * perSubPixel, scene_.right);
-    copy(rays.downVoxel * perSubPixel, scene_.down);
+    copyTo(rays.originVoxel + kCellFromVoxel, scene_.origin);
+    copyTo(rays.forwardVoxel, scene_.forward);
+    copyTo(rays.rightVoxel * perSubPixel, scene_.right);
+    copyTo(rays.downVoxel * perSubPixel, scene_.down);
     const glm::dmat3 eyeFromVoxel = rays.eyeFromMm * rays.mmFromVoxel;
-    copy(eyeFromVoxel * rays.forwardVoxel, scene_.forwardEye);
+    copyTo(eyeFromVoxel * rays.forwardVoxel, scene_.forwardEye);
     scene_.rightEye = rays.footprintMm * perSubPixel;
     scene_.downEye = -rays.footprintMm * perSubPixel;
     scene_.stepMm = plan.lattice.stepMm;
@@ -240,7 +232,7 @@ void BuiltScene::addPlane(const RenderPlan& plan, const ClipPlane& plane) {
     const Grid& grid = plan.volume->grid();
     const glm::dvec3 normal = glm::transpose(grid.voxelToMmMatrix()) * plane.normal;
     KernelPlane& out = scene_.planes[scene_.planeCount++];
-    copy(normal, out.normal);
+    copyTo(normal, out.normal);
     out.offset = plane.offsetMm - glm::dot(plane.normal, grid.originMm) + glm::dot(normal, kCellFromVoxel);
 }
 

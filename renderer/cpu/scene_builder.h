@@ -10,6 +10,16 @@
 
 namespace limner {
 
+inline constexpr glm::dvec3 kCellFromVoxel{1}; ///< cell coordinate = voxel coordinate + 1
+
+/// A vector as the kernel keeps it.
+template <typename Number>
+void copyTo(const glm::dvec3& from, Number* to) {
+    for (int i = 0; i < 3; ++i) {
+        to[i] = static_cast<Number>(from[i]);
+    }
+}
+
 /// A KernelScene with the tables it points into. Refers to the plan, which must outlive it.
 class BuiltScene {
   public:

@@ -12,19 +12,11 @@ namespace limner {
 
 namespace {
 
-constexpr glm::dvec3 kCellFromVoxel{1};
-
 float number(double v) { return static_cast<float>(v); }
-
-void copy(const glm::dvec3& from, float* to) {
-    for (int i = 0; i < 3; ++i) {
-        to[i] = number(from[i]);
-    }
-}
 
 /// A function that is linear in voxels, of cells.
 void copyLinear(const glm::dvec4& ofVoxel, float (&ofCell)[4]) {
-    copy(glm::dvec3(ofVoxel), ofCell);
+    copyTo(glm::dvec3(ofVoxel), ofCell);
     ofCell[3] = number(ofVoxel.w - glm::dot(glm::dvec3(ofVoxel), kCellFromVoxel));
 }
 
@@ -56,7 +48,7 @@ void BuiltScene::addParts(const RenderPlan& plan, const PlanLayer& layer, Kernel
     KernelParts& to = out.parts;
     to.any = true;
     to.lastEntry = kRampEntries - 1;
-    copy(from.lightEye, to.light);
+    copyTo(from.lightEye, to.light);
     to.ownLight = from.tone.has_value();
     to.tone = from.tone ? keepColours(from.toneTable) : nullptr;
     if (from.position) {
@@ -69,7 +61,7 @@ void BuiltScene::addParts(const RenderPlan& plan, const PlanLayer& layer, Kernel
         to.silhouetteOpacity = number(from.silhouette->opacity);
         to.silhouetteFull = number(from.silhouette->range.x);
         to.silhouetteNone = number(from.silhouette->range.y);
-        copy(from.silhouette->rgb, to.silhouetteRgb);
+        copyTo(from.silhouette->rgb, to.silhouetteRgb);
     }
     if (from.specular) {
         to.specularStrength = number(from.specular->strength);
@@ -91,8 +83,8 @@ const KernelCut* BuiltScene::addCut(const RenderPlan& plan, const PlanCut& cut) 
         KernelCut::Plane& to = out.planes[out.count++];
         const glm::dvec3 perVoxel = glm::transpose(grid.voxelToMmMatrix()) * plane.normalMm;
         copyLinear({-perVoxel, plane.offsetMm - glm::dot(plane.normalMm, grid.originMm)}, to.insideFromCell);
-        copy(plan.rays.eyeFromMm * plane.normalMm, to.normalEye);
-        copy(plane.rgb, to.rgb);
+        copyTo(plan.rays.eyeFromMm * plane.normalMm, to.normalEye);
+        copyTo(plane.rgb, to.rgb);
     }
     return &out;
 }
@@ -141,10 +133,10 @@ void BuiltScene::setCues(const RenderPlan& plan) {
     set(from.halo, to.halo);
     to.ambientStrength = from.ambient ? number(from.source->ambientOcclusion->strength) : 0;
     to.shadowStrength = from.shadow ? number(from.source->shadow->strength) : 0;
-    copy(from.lightEye, to.light);
+    copyTo(from.lightEye, to.light);
     if (from.halo) {
         to.haloStrength = number(from.source->halo->strength);
-        copy(from.source->halo->rgb, to.haloRgb);
+        copyTo(from.source->halo->rgb, to.haloRgb);
     }
 }
 

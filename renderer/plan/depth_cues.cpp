@@ -1,7 +1,7 @@
 #include "renderer/plan/depth_cues.h"
 
+#include "core/figure/light_frame.h"
 #include "renderer/plan/coarse_opacity.h"
-#include "renderer/plan/plan_parts.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -301,7 +301,7 @@ void DepthCueFields::add(RenderPlan& plan, CueDetail detail, Task& task) {
     if (source.shadow && source.shadow->strength > 0) {
         const Field& coarse = opacity(plan, edgeCells, task);
         const ContactShadow& shadow = *source.shadow;
-        cues.lightEye = lightEye(shadow.light, plan.rays);
+        cues.lightEye = lightSeen(shadow.light, plan.figure->camera);
         // An object's light by its own numbers: turned to the eye and back it would differ from view to view.
         const bool own = shadow.light.kind == "object" && glm::length(shadow.light.direction) > 0;
         const glm::dvec3 light = own ? glm::normalize(shadow.light.direction) : mmFromEye * cues.lightEye;

@@ -4,6 +4,7 @@
 #include "renderer/plan/coarse_opacity.h"
 #include "renderer/plan/eight_bits.h"
 #include "renderer/plan/mip_levels.h"
+#include "renderer/plan/plan_parts.h"
 
 #include <algorithm>
 #include <functional>
@@ -157,8 +158,7 @@ void describePlan(RenderPlan& plan, const PlanRequest& request) {
     feature(plan.layers.size() > 1, "several layers", "more than one layer shows", "one layer at most shows");
     feature(plan.rays.perspective, "perspective", "the camera has it", "the camera is orthographic");
     feature(plan.subPixels > 1, "supersampling", "several rays for each pixel", "one ray for each pixel");
-    feature(plan.clip.boxMm || !plan.clip.planes.empty(), "clipping", "a box or planes cut the volume",
-            "nothing is cut away");
+    feature(cutsAnything(plan.clip), "clipping", "a box or planes cut the volume", "nothing is cut away");
     feature(!plan.figure->cleanup.empty(), "clean-up", "steps remove matter from the volume", "no clean-up steps");
     const bool codes = plan.eightBits && plan.eightBits->whyFull.empty();
     const std::string codesCost = codes ? describeEightBits(plan) : "";

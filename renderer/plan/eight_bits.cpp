@@ -62,7 +62,8 @@ std::string describeEightBits(const RenderPlan& plan) {
     const VoxelType full = plan.figure->volume->data->type();
     return error("RMS error", facts.rmsError, facts.rmsErrorOfEven) +
            error("largest", facts.largestError, facts.largestErrorOfEven) +
-           (full == VoxelType::float32 ? "a quarter of what full ones take" : "half of what full ones take");
+           (full == VoxelType::float32 ? "a quarter of what full ones take, beside the scan"
+                                       : "half of what full ones take, beside the scan");
 }
 
 } // namespace limner

@@ -120,7 +120,7 @@ PlanLayer planLayer(const Layer& source, const LayerSurroundings& around) {
     }
     layer.parts = planParts(source, around);
     layer.focus = planFocus(source, around);
-    if (source.clip && (source.clip->boxMm || !source.clip->planes.empty())) {
+    if (source.clip && cutsAnything(*source.clip)) {
         layer.cut = planCut(*source.clip, around.figure, around.rays);
     }
     if (source.transfer.distance && source.transfer.distance->fromMm) {

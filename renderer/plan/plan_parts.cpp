@@ -1,5 +1,6 @@
 #include "renderer/plan/plan_parts.h"
 
+#include "core/figure/light_frame.h"
 #include "core/optics/layers.h"
 #include "core/style/ramps.h"
 
@@ -71,18 +72,11 @@ glm::dvec3 faceColour(const CutFace& face, const Figure& figure, const glm::dvec
 
 } // namespace
 
-glm::dvec3 lightEye(const Light& light, const RayFrame& rays) {
-    if (!(glm::length(light.direction) > 0)) {
-        return {0, 0, 1};
-    }
-    return glm::normalize(light.kind == "object" ? rays.eyeFromMm * light.direction : light.direction);
-}
-
 std::optional<PlanParts> planParts(const Layer& source, const LayerSurroundings& around) {
     PlanParts parts;
     if (source.tone && !source.tone->keys.empty()) {
         parts.tone = source.tone;
-        parts.lightEye = lightEye(source.tone->light, around.rays);
+        parts.lightEye = lightSeen(source.tone->light, around.figure.camera);
     }
     if (source.silhouette && source.silhouette->opacity > 0) {
         parts.silhouette = source.silhouette;
@@ -129,6 +123,8 @@ std::optional<PlanFocus> planFocus(const Layer& source, const LayerSurroundings&
     return PlanFocus{placeAlong(viewMm(around.rays), around.volume.grid()), source.depthOfField->focus,
                      source.depthOfField->strength};
 }
+
+bool cutsAnything(const Clip& clip) { return clip.boxMm || !clip.planes.empty(); }
 
 PlanCut planCut(const Clip& clip, const Figure& figure, const RayFrame& rays) {
     PlanCut cut;

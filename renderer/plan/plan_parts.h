@@ -16,12 +16,12 @@ double greatestOpacity(const PlanParts& parts, double opacity);
 
 std::optional<PlanFocus> planFocus(const Layer& source, const LayerSurroundings& around);
 
+/// Whether a clip has a box or planes.
+bool cutsAnything(const Clip& clip);
+
 /// A clip's box and planes; the colour of a face is its style's at the plane's normal, which is the same all over the
 /// plane but for the perspective.
 PlanCut planCut(const Clip& clip, const Figure& figure, const RayFrame& rays);
-
-/// Unit direction to a light in eye space. A light without a direction is the viewer's.
-glm::dvec3 lightEye(const Light& light, const RayFrame& rays);
 
 /// Share of a cut's kept side, 0 to 1, for a stretch of `lengthMm` along `directionMm` whose middle is at `p` (mm); by
 /// the plane that leaves least.

@@ -221,7 +221,7 @@ std::shared_ptr<const RenderPlan> Planner::plan(const Figure& figure, const Plan
     cache_->fields.chooseEstimators(*plan, task);
     cache_->eightBits.apply(*plan, task);
     plan->rays = makeRayFrame(figure.camera, *plan->volume, plan->size);
-    if (figure.clip.face && (figure.clip.boxMm || !figure.clip.planes.empty())) {
+    if (figure.clip.face && cutsAnything(figure.clip)) {
         plan->faces = planCut(figure.clip, figure, plan->rays);
     }
     plan->gradientRounding = gradientRounding(*plan->gradientField);
