@@ -90,6 +90,10 @@ std::span<const Field> fieldsOf<StippleLighting>();
 template <>
 std::span<const Field> fieldsOf<StippleCurves>();
 template <>
+std::span<const Field> fieldsOf<StippleInnerLines>();
+template <>
+std::span<const Field> fieldsOf<StippleHatching>();
+template <>
 std::span<const Field> fieldsOf<Stipple>();
 template <>
 std::span<const Field> fieldsOf<Background>();

@@ -111,6 +111,9 @@ struct DepthCues {
     friend bool operator==(const DepthCues&, const DepthCues&) = default;
 };
 
+/// Stipples and other marks of ink (paper 004; core/optics/stipple.h). A mark's tone is the share of paper that it asks
+/// to be covered: the product of the factors that are there.
+
 struct StippleBoundary {
     double kgc = 0.39, kgs = 0.51, kge = 1;
     friend bool operator==(const StippleBoundary&, const StippleBoundary&) = default;
@@ -138,23 +141,46 @@ struct StippleInterior {
 
 struct StippleLighting {
     double kle = 2.7;
+    Light light = {};
     friend bool operator==(const StippleLighting&, const StippleLighting&) = default;
 };
 
+/// Lines where the surface turns away from the viewer.
 struct StippleCurves {
     double log = 0.12, eye = 0.3, gradient = 0.2, widthMm = 0.2;
+    std::string widthBy = "even";     ///< even, curvature (thin where the form is flat), depth (thin where it is far)
+    std::string hiddenLines = "none"; ///< none, dashed, thin: what matter in front hides
     friend bool operator==(const StippleCurves&, const StippleCurves&) = default;
+};
+
+/// Lines along ridges and valleys of the surface. Strengths: smallest curvature times the voxel of the marks.
+struct StippleInnerLines {
+    double ridges = 0.25, valleys = 0.25; ///< 0: none of these
+    double widthMm = 0.15;
+    friend bool operator==(const StippleInnerLines&, const StippleInnerLines&) = default;
+};
+
+/// Strokes along the principal curvature directions, as many as the tone asks for.
+struct StippleHatching {
+    double lengthMm = 4, widthMm = 0.2;
+    double cross = 0.55; ///< tone above which strokes cross; 1: never
+    friend bool operator==(const StippleHatching&, const StippleHatching&) = default;
 };
 
 struct Stipple {
     glm::dvec3 inkRgb{0};
     bool fromStyle = false;
-    double kMax = 1;
+    double kMax = 1; ///< 0: no dots
     double threshold = 0.1;
     double spreadVoxels = 0.5;
     double sizeMm = 0.35;
     std::string hidden = "remove";      ///< remove, show
-    std::string layerOpacity = "under"; ///< under, over
+    std::string layerOpacity = "under"; ///< under, over, alone: the layers are not drawn
+    std::string matter = "data";        ///< data, layers: what the factors' data value is
+    std::string placing = "paper";    ///< paper: still pictures' dots lie evenly there; volume: where they turn with it
+    std::string tone = "ink";         ///< ink: dots that overlap are made up for; count: the paper's counts
+    std::string gradient = "neumann"; ///< neumann, central
+    int seed = 1;
     std::optional<StippleBoundary> boundary;
     std::optional<StippleSilhouette> silhouette;
     std::optional<StippleResolution> resolution;
@@ -162,6 +188,8 @@ struct Stipple {
     std::optional<StippleInterior> interior;
     std::optional<StippleLighting> lighting;
     std::optional<StippleCurves> curves;
+    std::optional<StippleInnerLines> innerLines;
+    std::optional<StippleHatching> hatching;
     friend bool operator==(const Stipple&, const Stipple&) = default;
 };
 

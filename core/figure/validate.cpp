@@ -319,7 +319,6 @@ std::vector<std::string> partsNotDrawn(const Figure& figure) {
             lines.push_back(std::string(pointer) + ": " + what + " kept but not drawn by this version");
         }
     };
-    kept(figure.stipple.has_value(), "/stipple", "stipples are");
     kept(!figure.annotations.empty(), "/annotations", "annotations are");
     kept(figure.quality.tolerance.has_value(), "/quality/tolerance", "the tolerance is");
     return lines;

@@ -55,6 +55,9 @@ struct PlanMipLevels {
 /// Upper bounds of what samples can matter, kept for bricks of the volume.
 struct ImportanceBricks;
 
+/// Marks of ink, see renderer/marks/mark_field.h.
+struct PlanMarks;
+
 /// Importance-aware composition (paper 001), ready to draw.
 struct PlanImportance {
     const Importance* source = nullptr;       ///< in the plan's figure
@@ -142,6 +145,7 @@ struct RenderPlan {
     std::optional<PlanDepthCues> cues;
     /// Blurred copies of the volume for depth of field (optics::kBlurLevels), int16; empty where no layer has any.
     std::vector<std::shared_ptr<const Volume>> blurs;
+    std::shared_ptr<const PlanMarks> marks; ///< null: no ink
     /// Absent where all samples read the atlas's finest picture: it then has no other.
     std::optional<PlanMipLevels> mipLevels;
 

@@ -84,9 +84,11 @@ TEST(Description, CoversEveryMember) {
     EXPECT_ALL_DESCRIBED(StippleResolution, a);
     EXPECT_ALL_DESCRIBED(StippleDistance, a);
     EXPECT_ALL_DESCRIBED(StippleInterior, a);
-    EXPECT_ALL_DESCRIBED(StippleLighting, a);
-    EXPECT_ALL_DESCRIBED(StippleCurves, a, b, c, d);
-    EXPECT_ALL_DESCRIBED(Stipple, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o);
+    EXPECT_ALL_DESCRIBED(StippleLighting, a, b);
+    EXPECT_ALL_DESCRIBED(StippleCurves, a, b, c, d, e, f);
+    EXPECT_ALL_DESCRIBED(StippleInnerLines, a, b, c);
+    EXPECT_ALL_DESCRIBED(StippleHatching, a, b, c);
+    EXPECT_ALL_DESCRIBED(Stipple, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v);
     EXPECT_ALL_DESCRIBED(Background, a, b, c, d);
     EXPECT_ALL_DESCRIBED(Annotation, a, b, c, d, e);
     EXPECT_ALL_DESCRIBED(Output, a, b, c, d);

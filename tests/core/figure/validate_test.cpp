@@ -283,7 +283,6 @@ TEST(Validate, ClipsOfLayersAreChecked) {
 
 TEST(Validate, PartsThatAreNotDrawnAreSaid) {
     const std::pair<const char*, Edit> cases[] = {
-        {"/stipple", [](Figure& f) { f.stipple.emplace(); }},
         {"/annotations", [](Figure& f) { f.annotations.emplace_back(); }},
         {"/quality/tolerance", [](Figure& f) { f.quality.tolerance = 0.01; }},
     };

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/base/task.h"
+#include "renderer/marks/marks.h"
+#include "renderer/plan/render_plan.h"
+
+namespace limner {
+
+/// The marks of a plan's figure in its view; none where it has no stipples. The same for every size of the picture, on
+/// every machine and any number of threads. Throws Error(cancelled).
+Marks drawMarks(const RenderPlan& plan, Task& task);
+
+} // namespace limner

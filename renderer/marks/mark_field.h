@@ -1,0 +1,75 @@
+#pragma once
+
+#include "core/base/task.h"
+#include "core/figure/effects.h"
+#include "core/volume/grid.h"
+#include "renderer/plan/render_plan.h"
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace limner {
+
+/// What marks are made of: a volume's surfaces, once per volume and settings, for every view (paper 004, 4).
+
+/// A voxel of the marks' own grid with enough gradient to have marks.
+struct MarkVoxel {
+    glm::u16vec3 cell{0};
+    std::uint8_t layer = 0; ///< of MarkField::layerNames
+    glm::vec3 normalMm{0};  ///< unit, patient coordinates, out of the denser matter
+    float value = 0;        ///< v, in [0, 1]
+    float gradient = 0;     ///< |g| over its 99.9th percentile, at most 1
+    float share = 0;        ///< of the surface's marks: its gradient over the sum through the surface, of one voxel
+    float edge = 0;         ///< Laplacian of Gaussian of v, per voxel squared
+    float edgeOffsetMm = 0; ///< along the normal to where the gradient is largest, at most a voxel
+    float dataValue = 0;    ///< in the data's unit: what styles read
+};
+
+/// How the surface bends at a mark voxel, 1/mm; positive: bulging outwards.
+struct MarkCurvature {
+    glm::vec3 directionMm{0}; ///< of `most`, unit, in the tangent plane; 0: not known
+    float most = 0;           ///< the principal curvature of larger size
+    float least = 0;
+};
+
+/// Immutable, thread-safe.
+struct MarkField {
+    Grid grid; ///< of the marks' voxels, in the same space as the volume's
+    glm::ivec3 voxelsPerCell{1};
+    double pointsPerDotArea = 1;   ///< N_max k_max is 1 at the view that just shows the whole volume
+    std::vector<MarkVoxel> voxels; ///< x fastest
+    /// Parallel to `voxels` where inner lines or hatching read them; else empty.
+    std::vector<MarkCurvature> curvatures;
+    std::vector<std::string> layerNames; ///< "": the data themselves
+    double mmPerVoxel = 1;               ///< cube root of a cell's volume
+    std::vector<std::string> warnings;   ///< what was given up, one line each
+
+    [[nodiscard]] std::size_t bytes() const;
+    [[nodiscard]] glm::dvec3 placeMm(const MarkVoxel& voxel) const { return grid.mmFromVoxel(glm::dvec3(voxel.cell)); }
+    /// Index of the mark voxel at a cell, or -1.
+    [[nodiscard]] std::int64_t find(const glm::ivec3& cell) const;
+
+    std::vector<std::uint32_t> rowStart; ///< first voxel of every row (y + dims.y z), one more at the end
+};
+
+/// Factor on the scale of the view that just shows the whole volume, a power of two of at least 1: views from nearer
+/// have finer fields.
+double markScale(const RenderPlan& plan);
+
+/// Computes the field for a plan whose layers are there. Some seconds for 256^3 at most; parallel, deterministic.
+/// Throws Error(cancelled).
+std::shared_ptr<const MarkField> computeMarkField(const RenderPlan& plan, double scale, Task& task);
+
+/// A plan's marks: absent where the figure has none.
+struct PlanMarks {
+    std::shared_ptr<const MarkField> field;
+    bool moving = false;      ///< a drag: dots stay on the volume, lines are not joined
+    bool layersDrawn = false; ///< the backend draws the layers too
+};
+
+} // namespace limner
