@@ -1,0 +1,157 @@
+#include "renderer/marks/mark_view.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace limner {
+
+namespace {
+
+constexpr double kMostDepthCells = 16e6;
+/// Matter thinner than this is as good as air: noise must not hide a surface.
+constexpr float kLeastData = 0.05F;
+constexpr float kLeastOpacity = 0.25F;
+/// Radius of a voxel's disc, in voxels: half the diagonal of a cube, so that a surface has no holes.
+constexpr float kDiscVoxels = 0.87F;
+/// A surface is some voxels thick; its marks do not hide one another.
+constexpr float kToleranceVoxels = 1.5F;
+
+/// Floats as whole numbers in the same order, so that the nearest can be kept without a lock.
+std::uint32_t ordered(float depth) {
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, &depth, sizeof bits);
+    return (bits & 0x80000000U) != 0 ? ~bits : bits | 0x80000000U;
+}
+float fromOrdered(std::uint32_t bits) {
+    bits = (bits & 0x80000000U) != 0 ? bits & 0x7FFFFFFFU : ~bits;
+    float depth = 0;
+    std::memcpy(&depth, &bits, sizeof depth);
+    return depth;
+}
+
+constexpr std::uint32_t kNothing = 0; // before every float
+
+void keepLargest(std::uint32_t& cell, std::uint32_t value) {
+    std::atomic_ref<std::uint32_t> shared(cell);
+    std::uint32_t known = shared.load(std::memory_order_relaxed);
+    while (known < value && !shared.compare_exchange_weak(known, value, std::memory_order_relaxed)) {
+    }
+}
+
+} // namespace
+
+MarkView::MarkView(const RenderPlan& plan)
+    : frame_(plan.figure->camera, plan.figure->output.aspect()),
+      paperMm_(plan.figure->output.widthMm, plan.figure->output.heightMm), scale_(paperMm_.y / frame_.heightMm),
+      clip_(plan.clip) {}
+
+PlaceOnPaper MarkView::place(const glm::dvec3& pointMm) const {
+    const glm::dvec3 h = frame_.project(pointMm);
+    const double along = glm::dot(pointMm - frame_.targetMm, frame_.forward);
+    if (!(h.z > 0)) {
+        return {{0, 0}, static_cast<float>(-along), 0};
+    }
+    const double ratio = frame_.eyeDistanceMm > 0 ? frame_.eyeDistanceMm / (frame_.eyeDistanceMm + along) : 1;
+    return {glm::vec2(h.x / h.z * paperMm_.x, h.y / h.z * paperMm_.y), static_cast<float>(-along),
+            static_cast<float>(scale_ * ratio)};
+}
+
+glm::vec3 MarkView::towardsEye(const glm::dvec3& pointMm) const {
+    if (!(frame_.eyeDistanceMm > 0)) {
+        return -glm::vec3(frame_.forward);
+    }
+    return glm::vec3(glm::normalize(frame_.targetMm - frame_.forward * frame_.eyeDistanceMm - pointMm));
+}
+
+glm::vec3 MarkView::seen(const glm::vec3& directionMm) const {
+    const glm::dvec3 d(directionMm);
+    return {glm::dot(d, frame_.right), glm::dot(d, frame_.up), -glm::dot(d, frame_.forward)};
+}
+
+bool MarkView::kept(const glm::dvec3& p) const {
+    if (clip_.boxMm &&
+        (glm::any(glm::lessThan(p, clip_.boxMm->low)) || glm::any(glm::greaterThan(p, clip_.boxMm->high)))) {
+        return false;
+    }
+    return std::none_of(clip_.planes.begin(), clip_.planes.end(),
+                        [&](const ClipPlane& plane) { return glm::dot(plane.normal, p) > plane.offsetMm; });
+}
+
+MarkDepth::MarkDepth(const MarkField& field, const MarkView& view, bool matterOfLayers)
+    : toleranceMm_(static_cast<float>(kToleranceVoxels * field.mmPerVoxel)) {
+    const glm::dvec2 paper = view.paperMm();
+    cellMm_ = std::max(0.5 * field.mmPerVoxel * view.scale(), std::sqrt(paper.x * paper.y / kMostDepthCells));
+    size_ = glm::max(glm::ivec2(glm::ceil(paper / cellMm_)), glm::ivec2(1));
+    std::vector<std::uint32_t> near(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y), kNothing);
+    const float least = matterOfLayers ? kLeastOpacity : kLeastData;
+    tbb::parallel_for(std::size_t{0}, field.voxels.size(), [&](std::size_t i) {
+        const MarkVoxel& voxel = field.voxels[i];
+        if (voxel.value >= least) {
+            addDisc(field, view, voxel, near);
+        }
+    });
+    nearest_.resize(near.size());
+    std::transform(near.begin(), near.end(), nearest_.begin(), [](std::uint32_t bits) {
+        return bits == kNothing ? -std::numeric_limits<float>::infinity() : fromOrdered(bits);
+    });
+}
+
+void MarkDepth::addDisc(const MarkField& field, const MarkView& view, const MarkVoxel& voxel,
+                        std::vector<std::uint32_t>& near) {
+    const glm::dvec3 mm = field.placeMm(voxel);
+    if (!view.kept(mm)) {
+        return;
+    }
+    const PlaceOnPaper at = view.place(mm);
+    if (!(at.scale > 0)) {
+        return;
+    }
+    const glm::vec3 n = view.seen(voxel.normalMm);
+    const float facing = std::max(std::abs(n.z), 0.05F);
+    const float radiusMm = kDiscVoxels * static_cast<float>(field.mmPerVoxel);
+    const auto cell = static_cast<float>(cellMm_);
+    const float reach = radiusMm * at.scale / cell;
+    const glm::vec2 middle = at.mm / cell;
+    const auto low = glm::max(glm::ivec2(glm::ceil(middle - reach - 0.5F)), glm::ivec2(0));
+    const auto high = glm::min(glm::ivec2(glm::floor(middle + reach - 0.5F)), size_ - 1);
+    for (int y = low.y; y <= high.y; ++y) {
+        for (int x = low.x; x <= high.x; ++x) {
+            const glm::vec2 d = ((glm::vec2(static_cast<float>(x), static_cast<float>(y)) + 0.5F) - middle) *
+                                (cell / at.scale); // mm of the volume, y down
+            const float rise = -(n.x * d.x - n.y * d.y) / std::copysign(facing, n.z);
+            if (d.x * d.x + d.y * d.y + rise * rise <= radiusMm * radiusMm) {
+                keepLargest(
+                    near[static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.x) + static_cast<std::size_t>(x)],
+                    ordered(at.depthMm + rise));
+            }
+        }
+    }
+}
+
+float MarkDepth::visible(const PlaceOnPaper& place) const {
+    if (nearest_.empty()) {
+        return 1;
+    }
+    const auto cell = static_cast<float>(cellMm_);
+    const glm::ivec2 c(static_cast<int>(std::floor(place.mm.x / cell)),
+                       static_cast<int>(std::floor(place.mm.y / cell)));
+    if (c.x < 0 || c.y < 0 || c.x >= size_.x || c.y >= size_.y) {
+        return 1;
+    }
+    const float behind =
+        nearest_[static_cast<std::size_t>(c.y) * static_cast<std::size_t>(size_.x) + static_cast<std::size_t>(c.x)] -
+        place.depthMm;
+    const float t = std::clamp(behind / toleranceMm_ - 1, 0.0F, 1.0F);
+    return 1 - t * t * (3 - 2 * t);
+}
+
+} // namespace limner
