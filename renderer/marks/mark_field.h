@@ -41,12 +41,13 @@ struct MarkCurvature {
 struct MarkField {
     Grid grid; ///< of the marks' voxels, in the same space as the volume's
     glm::ivec3 voxelsPerCell{1};
-    double pointsPerDotArea = 1;   ///< N_max k_max is 1 at the view that just shows the whole volume
     std::vector<MarkVoxel> voxels; ///< x fastest
     /// Parallel to `voxels` where inner lines or hatching read them; else empty.
     std::vector<MarkCurvature> curvatures;
     std::vector<std::string> layerNames; ///< "": the data themselves
     double mmPerVoxel = 1;               ///< cube root of a cell's volume
+    double paperPerMm = 1;               ///< mm on paper per mm of the volume in the view that just shows all of it
+    double zoom = 1;                     ///< factor on that for which the field is fine enough
     std::vector<std::string> warnings;   ///< what was given up, one line each
 
     [[nodiscard]] std::size_t bytes() const;

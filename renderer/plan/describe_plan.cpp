@@ -1,6 +1,7 @@
 #include "renderer/plan/describe_plan.h"
 
 #include "core/figure/figure_json.h"
+#include "renderer/marks/mark_field.h"
 #include "renderer/plan/coarse_opacity.h"
 #include "renderer/plan/eight_bits.h"
 #include "renderer/plan/mip_levels.h"
@@ -110,6 +111,29 @@ void describeParts(const RenderPlan& plan, const AddFeature& feature) {
     }
 }
 
+/// Ink: each factor and each kind of mark on its own.
+void describeMarks(const RenderPlan& plan, const AddFeature& feature) {
+    const auto& stipple = plan.figure->stipple;
+    feature(plan.marks != nullptr, "marks of ink", "the figure has stipples", "the figure has none");
+    if (!stipple) {
+        return;
+    }
+    const auto part = [&](bool used, const char* name) {
+        feature(used, name, "the stipples have it", "the stipples have it not");
+    };
+    part(stipple->kMax > 0 && stipple->sizeMm > 0, "dots");
+    part(stipple->boundary.has_value(), "dots by boundary");
+    part(stipple->silhouette.has_value(), "dots by silhouette");
+    part(stipple->resolution.has_value(), "dots by resolution");
+    part(stipple->distance.has_value(), "dots by distance");
+    part(stipple->interior.has_value(), "dots by interior");
+    part(stipple->lighting.has_value(), "dots by lighting");
+    part(stipple->curves.has_value(), "silhouette curves");
+    part(stipple->innerLines.has_value(), "ridges and valleys");
+    part(stipple->hatching.has_value(), "hatching");
+    feature(plan.marks->layersDrawn, "layers under or over the ink", "layers are drawn", "the ink is alone");
+}
+
 /// Each measure on its own: one without a weight is not taken.
 void describeImportance(const RenderPlan& plan, const AddFeature& feature) {
     feature(plan.importance.has_value(), "importance-aware composition", "the figure weighs what matters",
@@ -155,6 +179,7 @@ void describePlan(RenderPlan& plan, const PlanRequest& request) {
     describeTransfers(plan, feature);
     describeParts(plan, feature);
     describeImportance(plan, feature);
+    describeMarks(plan, feature);
     feature(plan.layers.size() > 1, "several layers", "more than one layer shows", "one layer at most shows");
     feature(plan.rays.perspective, "perspective", "the camera has it", "the camera is orthographic");
     feature(plan.subPixels > 1, "supersampling", "several rays for each pixel", "one ray for each pixel");
@@ -190,6 +215,7 @@ void describePlan(RenderPlan& plan, const PlanRequest& request) {
     }
     plan.bytes += plan.labels ? plan.labels->bytes() : 0;
     plan.bytes += plan.secondVolume ? plan.secondVolume->bytes() : 0;
+    plan.bytes += plan.marks ? plan.marks->field->bytes() : 0;
     plan.bytes += statisticsBytes(plan);
 }
 

@@ -11,6 +11,7 @@
 #include "renderer/plan/plan_fields.h"
 #include "renderer/plan/plan_importance.h"
 #include "renderer/plan/plan_layer.h"
+#include "renderer/plan/plan_marks.h"
 #include "renderer/plan/plan_parts.h"
 #include "renderer/plan/ray_frame.h"
 
@@ -107,6 +108,7 @@ struct Planner::Cache {
     RecentResults<AtlasKey, std::shared_ptr<const StyleAtlas>> atlas;
     PlanFields fields;
     DepthCueFields cues;
+    MarkFields marks;
     std::vector<std::pair<glm::dvec3, std::shared_ptr<const LitSphere>>> plainSpheres;
 
     /// Plain colours among lit spheres are constant spheres; one and the same object per colour, so that the atlas is
@@ -234,13 +236,14 @@ std::shared_ptr<const RenderPlan> Planner::plan(const Figure& figure, const Plan
     cache_->packAtlas(*plan, request.omit);
     cache_->measureGradients(*plan);
     cache_->cues.add(*plan, request.stepScale > 1 ? CueDetail::draft : CueDetail::still, task);
+    cache_->marks.add(*plan, request, task);
     describePlan(*plan, request);
     return plan;
 }
 
 void Planner::addLayers(RenderPlan& plan, const PlanRequest& request, Task& task) {
     for (const Layer& layer : plan.figure->layers) {
-        if (!plan.figure->draws(layer)) {
+        if (!plan.figure->draws(layer) || !needsLayers(*plan.figure)) {
             continue; // no part of the picture: to keep it in would draw it
         }
         const LayerSurroundings around{*plan.figure, *plan.volume, cache_->fields.axisRanges(plan, layer, task),

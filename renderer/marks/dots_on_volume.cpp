@@ -1,0 +1,161 @@
+#include "renderer/marks/dot_pattern.h"
+#include "renderer/marks/ink.h"
+
+#include <glm/geometric.hpp>
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace limner {
+
+namespace {
+
+constexpr std::size_t kChunk = 4096; ///< voxels that one task draws
+constexpr float kFaintest = 0.02F;   ///< opacity that nobody sees
+
+std::uint32_t mixed(std::uint32_t x) {
+    x ^= x >> 16;
+    x *= 0x7feb352dU;
+    x ^= x >> 15;
+    x *= 0x846ca68bU;
+    return x ^ (x >> 16);
+}
+
+/// A voxel's points: those of the pattern over the face of the voxel that its surface crosses most squarely, laid on
+/// the tangent plane. Neighbours share the plane's pattern, so that there is no seam between them; layers of voxels one
+/// behind the other have each their own.
+class VolumeDots {
+  public:
+    explicit VolumeDots(const MarkScene& scene) : scene_(scene), field_(scene.field) {
+        const double dot = largestDotArea(scene.stipple);
+        const double scale = field_.paperPerMm * field_.zoom * kZoomHeadroom;
+        const double densest = DotPattern::kMostDensity / static_cast<double>(kSmallestDot * kSmallestDot);
+        capacity_ = field_.mmPerVoxel * field_.mmPerVoxel * scale * scale / dot * densest;
+        edge_ = std::sqrt(capacity_);
+        const glm::dmat3 step = field_.grid.voxelToMmMatrix();
+        for (int i = 0; i < 3; ++i) {
+            stepMm_[i] = step[i];
+        }
+        fading_ = scene.moving || scene.stipple.placing == "volume";
+        clipped_ = scene.plan.clip.boxMm || !scene.plan.clip.planes.empty();
+    }
+
+    void add(std::size_t i, std::vector<Dot>& dots) const {
+        const VoxelInk& ink = scene_.ink[i];
+        const auto end = static_cast<float>(static_cast<double>(ink.dots) / capacity_);
+        if (!(end > 0)) {
+            return;
+        }
+        const MarkVoxel& voxel = field_.voxels[i];
+        const Frame frame = frameOf(voxel);
+        // A dot fades over the last unit of N, or over all of a smaller N: the mean ink stays N.
+        const float fade = fading_ ? std::min(1.0F / static_cast<float>(capacity_), end) : 0.0F;
+        const glm::dvec2 low(frame.cell.x * edge_ + frame.offset.x, frame.cell.y * edge_ + frame.offset.y);
+        dotPattern().forEachIn(low, low + edge_, end + 0.5F * fade,
+                               [&](const glm::dvec2& place, float rank, std::uint32_t number) {
+                                   const float shown = fade > 0 ? std::min((end - rank) / fade + 0.5F, 1.0F) : 1.0F;
+                                   const glm::dvec2 f = (place - low) / edge_ - 0.5;
+                                   addDot(i, frame, f, number, shown, dots);
+                               });
+    }
+
+  private:
+    static constexpr double kZoomHeadroom = 1.5; ///< a field serves views up to the square root of 2 nearer
+
+    struct Frame {
+        int axis = 0; ///< that the plane is a height over
+        int across[2]{1, 2};
+        glm::dvec2 cell{0};
+        glm::dvec2 offset{0}; ///< of the layer's pattern
+        double rise[2]{};     ///< cells along `axis` per cell along `across`
+        glm::dvec3 middleMm{0};
+        glm::dvec3 normalMm{0};
+    };
+
+    [[nodiscard]] Frame frameOf(const MarkVoxel& voxel) const {
+        Frame frame;
+        const glm::dvec3 n(voxel.normalMm);
+        const double along[] = {glm::dot(n, stepMm_[0]), glm::dot(n, stepMm_[1]), glm::dot(n, stepMm_[2])};
+        const double size[] = {std::abs(along[0]), std::abs(along[1]), std::abs(along[2])};
+        frame.axis = size[0] >= size[1] && size[0] >= size[2] ? 0 : size[1] >= size[2] ? 1 : 2;
+        for (int i = 0, k = 0; i < 3; ++i) {
+            if (i != frame.axis) {
+                frame.across[k] = i;
+                frame.rise[k++] = size[frame.axis] > 0 ? -along[i] / along[frame.axis] : 0;
+            }
+        }
+        frame.cell = {static_cast<double>(voxel.cell[frame.across[0]]),
+                      static_cast<double>(voxel.cell[frame.across[1]])};
+        const std::uint32_t layer =
+            mixed(static_cast<std::uint32_t>(scene_.stipple.seed) * 0x9e3779b9U +
+                  static_cast<std::uint32_t>(voxel.cell[frame.axis]) * 4U + static_cast<std::uint32_t>(frame.axis));
+        frame.offset = glm::dvec2(layer & 0xffffU, layer >> 16) * (DotPattern::kSize / 65536.0);
+        frame.normalMm = n;
+        frame.middleMm = field_.placeMm(voxel) + n * static_cast<double>(voxel.edgeOffsetMm);
+        return frame;
+    }
+
+    void addDot(std::size_t i, const Frame& frame, const glm::dvec2& f, std::uint32_t number, float shown,
+                std::vector<Dot>& dots) const {
+        const double jitter =
+            static_cast<double>(mixed(number + static_cast<std::uint32_t>(scene_.stipple.seed))) * 0x1p-31 - 1;
+        const glm::dvec3 mm = frame.middleMm + f.x * stepMm_[frame.across[0]] + f.y * stepMm_[frame.across[1]] +
+                              (f.x * frame.rise[0] + f.y * frame.rise[1]) * stepMm_[frame.axis] +
+                              frame.normalMm * (jitter * scene_.stipple.spreadVoxels * field_.mmPerVoxel);
+        if (clipped_ && !scene_.view.kept(mm)) {
+            return;
+        }
+        const PlaceOnPaper at = scene_.view.place(mm);
+        float opacity = shown * scene_.depth.visible(at);
+        if (!fading_) {
+            opacity = opacity >= 0.5F ? 1.0F : 0.0F;
+        }
+        if (opacity >= kFaintest && at.scale > 0) {
+            dots.push_back({at.mm, at.depthMm, scene_.ink[i].radiusMm, opacity, scene_.colourOf(i)});
+        }
+    }
+
+    const MarkScene& scene_;
+    const MarkField& field_;
+    double capacity_ = 1; ///< points of a voxel's face in the pattern
+    double edge_ = 1;     ///< of the face in the pattern's plane
+    glm::dvec3 stepMm_[3];
+    bool fading_ = false;
+    bool clipped_ = false;
+};
+
+} // namespace
+
+void addDotsOnVolume(const MarkScene& scene, Marks& marks, Task& task) {
+    const VolumeDots volume(scene);
+    const std::size_t layers = scene.field.layerNames.size();
+    const std::size_t chunks = (scene.field.voxels.size() + kChunk - 1) / kChunk;
+    std::vector<std::vector<Dot>> dots(chunks * layers);
+    tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t chunk) {
+        const std::size_t last = std::min((chunk + 1) * kChunk, scene.field.voxels.size());
+        for (std::size_t i = chunk * kChunk; i < last && !task.cancelled(); ++i) {
+            volume.add(i, dots[chunk * layers + scene.field.voxels[i].layer]);
+        }
+    });
+    task.throwIfCancelled();
+    for (std::size_t layer = 0; layer < layers; ++layer) {
+        MarkGroup group;
+        group.name = scene.groupName("Stipples", layer);
+        std::size_t count = 0;
+        for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+            count += dots[chunk * layers + layer].size();
+        }
+        group.dots.reserve(count);
+        for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+            const auto& part = dots[chunk * layers + layer];
+            group.dots.insert(group.dots.end(), part.begin(), part.end());
+        }
+        if (!group.dots.empty()) {
+            marks.groups.push_back(std::move(group));
+        }
+    }
+}
+
+} // namespace limner

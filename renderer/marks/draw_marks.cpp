@@ -1,0 +1,53 @@
+#include "renderer/marks/draw_marks.h"
+
+#include "renderer/marks/ink.h"
+
+#include <algorithm>
+
+namespace limner {
+
+bool Marks::empty() const {
+    return std::all_of(groups.begin(), groups.end(),
+                       [](const MarkGroup& group) { return group.dots.empty() && group.strokes.empty(); });
+}
+
+std::size_t Marks::dotCount() const {
+    std::size_t count = 0;
+    for (const MarkGroup& group : groups) {
+        count += group.dots.size();
+    }
+    return count;
+}
+
+std::size_t Marks::strokeCount() const {
+    std::size_t count = 0;
+    for (const MarkGroup& group : groups) {
+        count += group.strokes.size();
+    }
+    return count;
+}
+
+Marks drawMarks(const RenderPlan& plan, Task& task) {
+    Marks marks;
+    marks.paperMm = {plan.figure->output.widthMm, plan.figure->output.heightMm};
+    if (!plan.marks) {
+        return marks;
+    }
+    const Stipple& stipple = *plan.figure->stipple;
+    marks.order = stipple.layerOpacity == "over" ? MarkOrder::overLayers : MarkOrder::underLayers;
+    marks.layersDrawn = plan.marks->layersDrawn;
+    for (const std::string& warning : plan.marks->field->warnings) {
+        task.warn(warning);
+    }
+    const MarkScene scene = makeMarkScene(plan, *plan.marks->field, plan.marks->moving, task);
+    if (stipple.kMax > 0 && stipple.sizeMm > 0) {
+        if (scene.moving || stipple.placing == "volume") {
+            addDotsOnVolume(scene, marks, task);
+        } else {
+            addDotsOnPaper(scene, marks, task);
+        }
+    }
+    return marks;
+}
+
+} // namespace limner

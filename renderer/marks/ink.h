@@ -1,0 +1,50 @@
+#pragma once
+
+#include "core/base/task.h"
+#include "renderer/marks/mark_view.h"
+#include "renderer/marks/marks.h"
+
+#include <vector>
+
+namespace limner {
+
+/// What a mark voxel asks for in one view (core/optics/stipple.h).
+struct VoxelInk {
+    PlaceOnPaper at;
+    float tone = 0;     ///< share of inked paper (stipple `tone` "ink") or of the most dots ("count"); 0: nothing
+    float dots = 0;     ///< expected number
+    float radiusMm = 0; ///< of the dots, on paper
+    float facing = 0;   ///< |n.e|
+};
+
+/// A figure's marks at work in one view.
+struct MarkScene {
+    const RenderPlan& plan;
+    const Stipple& stipple;
+    const MarkField& field;
+    MarkView view;
+    MarkDepth depth;
+    std::vector<VoxelInk> ink;      ///< parallel to the field's voxels
+    std::vector<InkColour> colours; ///< the same where ink takes the styles' colours; else empty
+    bool moving = false;
+
+    [[nodiscard]] InkColour colourOf(std::size_t voxel) const { return colours.empty() ? plain : colours[voxel]; }
+    /// "Stipples", or "Stipples - Bone" where marks belong to layers.
+    [[nodiscard]] std::string groupName(const std::string& family, std::size_t layer) const;
+    InkColour plain{0};
+};
+
+/// Everything but the marks themselves. `field`, `plan` and the figure in it outlive the scene.
+MarkScene makeMarkScene(const RenderPlan& plan, const MarkField& field, bool moving, Task& task);
+
+/// Area of the largest dot, mm^2 of paper.
+double largestDotArea(const Stipple& stipple);
+
+/// The dots of all voxels, one group a layer: on the volume, or evenly on paper.
+void addDotsOnVolume(const MarkScene& scene, Marks& marks, Task& task);
+void addDotsOnPaper(const MarkScene& scene, Marks& marks, Task& task);
+
+/// Dots are no smaller than this share of the largest: there are fewer of them instead.
+inline constexpr float kSmallestDot = 0.6F;
+
+} // namespace limner

@@ -1,0 +1,55 @@
+#include "renderer/plan/plan_marks.h"
+
+namespace limner {
+
+namespace {
+
+/// The settings that a field is made by.
+Stipple fieldSettings(const Stipple& stipple) {
+    Stipple kept;
+    kept.threshold = stipple.threshold;
+    kept.sizeMm = stipple.sizeMm;
+    kept.matter = stipple.matter;
+    kept.gradient = stipple.gradient;
+    if (stipple.curves || stipple.innerLines || stipple.hatching) {
+        kept.hatching.emplace(); // the surface's curvature
+    }
+    return kept;
+}
+
+} // namespace
+
+bool drawsLayers(const Figure& figure) { return !figure.stipple || figure.stipple->layerOpacity != "alone"; }
+
+bool needsLayers(const Figure& figure) {
+    return drawsLayers(figure) || figure.stipple->matter == "layers" || figure.stipple->fromStyle;
+}
+
+void MarkFields::add(RenderPlan& plan, const PlanRequest& request, Task& task) {
+    const Figure& figure = *plan.figure;
+    if (!figure.stipple) {
+        return;
+    }
+    Key key{plan.volume,
+            nullptr,
+            {},
+            {},
+            {figure.output.widthMm, figure.output.heightMm},
+            markScale(plan),
+            fieldSettings(*figure.stipple)};
+    if (figure.stipple->matter == "layers") {
+        key.labels = plan.labels;
+        key.layers = figure.layers;
+        key.clip = figure.clip;
+    }
+    auto marks = std::make_shared<PlanMarks>();
+    marks->field = fields_.get(key, [&] {
+        task.beginPhase("Preparing marks");
+        return computeMarkField(plan, key.zoom, task);
+    });
+    marks->moving = request.moving;
+    marks->layersDrawn = drawsLayers(figure) && !plan.layers.empty();
+    plan.marks = marks;
+}
+
+} // namespace limner
