@@ -129,7 +129,9 @@ class PaperTone {
         if (!(size[axis] > 0)) {
             return;
         }
-        const glm::dvec3 middle = field.placeMm(voxel) + n * static_cast<double>(voxel.edgeOffsetMm);
+        // Onto the surface along the axis, so that the faces still fill the plane.
+        const glm::dvec3 middle =
+            field.placeMm(voxel) + step[axis] * (static_cast<double>(voxel.edgeOffsetMm) / along[axis]);
         const glm::dvec3 across[] = {step[u] - step[axis] * (along[u] / along[axis]),
                                      step[v] - step[axis] * (along[v] / along[axis])};
         const float area = ink.dots * 3.14159265F * ink.radiusMm * ink.radiusMm / (kSteps * kSteps);

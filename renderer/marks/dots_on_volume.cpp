@@ -13,7 +13,9 @@ namespace limner {
 namespace {
 
 constexpr std::size_t kChunk = 4096; ///< voxels that one task draws
-constexpr float kFaintest = 0.02F;   ///< opacity that nobody sees
+/// A drawing is of dots, not of greys: most of them are whole.
+constexpr float kFadingPart = 0.3F;
+constexpr float kFaintest = 0.02F; ///< opacity that nobody sees
 
 std::uint32_t mixed(std::uint32_t x) {
     x ^= x >> 16;
@@ -24,8 +26,8 @@ std::uint32_t mixed(std::uint32_t x) {
 }
 
 /// A voxel's points: those of the pattern over the face of the voxel that its surface crosses most squarely, laid on
-/// the tangent plane. Neighbours share the plane's pattern, so that there is no seam between them; layers of voxels one
-/// behind the other have each their own.
+/// the tangent plane. Neighbours share the plane's pattern, so that there is no seam between them, and so do the voxels
+/// that a surface is thick: each has its part of the points.
 class VolumeDots {
   public:
     explicit VolumeDots(const MarkScene& scene) : scene_(scene), field_(scene.field) {
@@ -44,17 +46,21 @@ class VolumeDots {
 
     void add(std::size_t i, std::vector<Dot>& dots) const {
         const VoxelInk& ink = scene_.ink[i];
-        const auto end = static_cast<float>(static_cast<double>(ink.dots) / capacity_);
-        if (!(end > 0)) {
+        const MarkVoxel& voxel = field_.voxels[i];
+        if (!(ink.dots > 0 && voxel.part > 0)) {
             return;
         }
-        const MarkVoxel& voxel = field_.voxels[i];
+        const auto end = static_cast<float>(static_cast<double>(ink.dots / voxel.part) / capacity_);
         const Frame frame = frameOf(voxel);
-        // A dot fades over the last unit of N, or over all of a smaller N: the mean ink stays N.
-        const float fade = fading_ ? std::min(1.0F / static_cast<float>(capacity_), end) : 0.0F;
+        // A dot fades over the last unit of N, or over a part of a smaller N: the mean ink stays N.
+        const float fade = fading_ ? std::min(1 / static_cast<float>(capacity_), kFadingPart * end) : 0.0F;
         const glm::dvec2 low(frame.cell.x * edge_ + frame.offset.x, frame.cell.y * edge_ + frame.offset.y);
         dotPattern().forEachIn(low, low + edge_, end + 0.5F * fade,
                                [&](const glm::dvec2& place, float rank, std::uint32_t number) {
+                                   const float part = static_cast<float>(mixed(number) >> 8) * 0x1p-24F;
+                                   if (part < voxel.partStart || part >= voxel.partStart + voxel.part) {
+                                       return;
+                                   }
                                    const float shown = fade > 0 ? std::min((end - rank) / fade + 0.5F, 1.0F) : 1.0F;
                                    const glm::dvec2 f = (place - low) / edge_ - 0.5;
                                    addDot(i, frame, f, number, shown, dots);
@@ -68,7 +74,7 @@ class VolumeDots {
         int axis = 0; ///< that the plane is a height over
         int across[2]{1, 2};
         glm::dvec2 cell{0};
-        glm::dvec2 offset{0}; ///< of the layer's pattern
+        glm::dvec2 offset{0}; ///< of the plane's pattern
         double rise[2]{};     ///< cells along `axis` per cell along `across`
         glm::dvec3 middleMm{0};
         glm::dvec3 normalMm{0};
@@ -88,12 +94,16 @@ class VolumeDots {
         }
         frame.cell = {static_cast<double>(voxel.cell[frame.across[0]]),
                       static_cast<double>(voxel.cell[frame.across[1]])};
-        const std::uint32_t layer =
-            mixed(static_cast<std::uint32_t>(scene_.stipple.seed) * 0x9e3779b9U +
-                  static_cast<std::uint32_t>(voxel.cell[frame.axis]) * 4U + static_cast<std::uint32_t>(frame.axis));
-        frame.offset = glm::dvec2(layer & 0xffffU, layer >> 16) * (DotPattern::kSize / 65536.0);
+        // A body's front and back have patterns of their own: they may lie behind one another.
+        const std::uint32_t plane = mixed(static_cast<std::uint32_t>(scene_.stipple.seed) * 0x9e3779b9U +
+                                          static_cast<std::uint32_t>(2 * frame.axis + (along[frame.axis] > 0 ? 1 : 0)));
+        frame.offset = glm::dvec2(plane & 0xffffU, plane >> 16) * (DotPattern::kSize / 65536.0);
         frame.normalMm = n;
-        frame.middleMm = field_.placeMm(voxel) + n * static_cast<double>(voxel.edgeOffsetMm);
+        // Onto the surface along the axis, so that the faces still fill the plane.
+        frame.middleMm = field_.placeMm(voxel);
+        if (size[frame.axis] > 0) {
+            frame.middleMm += stepMm_[frame.axis] * (static_cast<double>(voxel.edgeOffsetMm) / along[frame.axis]);
+        }
         return frame;
     }
 

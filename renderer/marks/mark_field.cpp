@@ -26,6 +26,7 @@ constexpr double kDotsPerVoxel = 2.5;
 constexpr double kSmallestDotMm = 0.02; ///< what no press prints: finer voxels would serve nobody
 constexpr double kMostCells = 48e6;     ///< of the marks' grid: two numbers each are held while it is made
 constexpr double kFarthestZoom = 64;
+constexpr int kReach = 6; ///< cells to either side: a boundary that is thicker has marks all the way through
 
 /// Cells along the volume's axes, so that a mark voxel is about a cube of `edgeMm`.
 glm::ivec3 cellSize(const Grid& grid, double edgeMm) {
@@ -110,6 +111,7 @@ class FieldMaker {
             RenderPlan alone = plan_;
             alone.layers = {layer};
             opacity_.push_back(coarseOpacity(alone, voxels, task_));
+            smooth(opacity_.back());
             field_->layerNames.push_back(layer.name);
             if (field_->layerNames.size() == std::numeric_limits<std::uint8_t>::max()) {
                 break;
@@ -186,7 +188,7 @@ class FieldMaker {
         if (!(largest_ > 0)) {
             return;
         }
-        const auto least = std::max(static_cast<float>(stipple_.threshold) * largest_, 1e-6F * largest_);
+        least_ = std::max(static_cast<float>(stipple_.threshold), 1e-6F) * largest_;
         std::vector<std::vector<MarkVoxel>> slices(static_cast<std::size_t>(dims.z));
         tbb::parallel_for(0, dims.z, [&](int z) {
             auto& slice = slices[static_cast<std::size_t>(z)];
@@ -194,7 +196,7 @@ class FieldMaker {
                 const float* magnitudes = magnitudes_.row(y, z);
                 const std::size_t before = slice.size();
                 for (int x = 0; x < dims.x; ++x) {
-                    if (magnitudes[x] >= least) {
+                    if (magnitudes[x] >= least_) {
                         MarkVoxel voxel;
                         voxel.cell = glm::u16vec3(x, y, z);
                         slice.push_back(voxel);
@@ -225,10 +227,7 @@ class FieldMaker {
         const CellSlope slope = slopeAt(cell);
         const glm::vec3 g = mmFromIndex_ * slope.gradient;
         voxel.normalMm = -g / std::max(glm::length(g), std::numeric_limits<float>::min());
-        voxel.gradient = std::min(glm::length(g) / largest_, 1.0F);
-        const Matter matter = matterAt(cell, slope.value);
-        voxel.value = matter.value;
-        voxel.layer = matter.layer;
+        voxel.layer = matterAt(cell, slope.value).layer;
         const ValueRange range = plan_.volume->range();
         voxel.dataValue = static_cast<float>(range.low + static_cast<double>(slope.value) * (range.high - range.low));
         voxel.edge = laplacianOfGaussian(values_, cell);
@@ -238,42 +237,91 @@ class FieldMaker {
         }
     }
 
-    /// Weight of a place in a surface: matter counts more than what is around it.
-    [[nodiscard]] float weightAt(const glm::vec3& place) const {
-        const float v = stipple_.matter == "layers"
-                            ? matterAt(glm::clamp(glm::ivec3(place + 0.5F), glm::ivec3(0), values_.dims() - 1), 0).value
-                            : values_.at(place);
-        return magnitudes_.at(place) * v;
+    /// Cells of a column on one side of a cell that are of its surface.
+    struct Side {
+        double weight = 0;
+        double value = 0; ///< times weight
+        float magnitude = 0;
+    };
+
+    /// What a cell counts in its surface, 0 where it has no marks: matter counts more than what is around it.
+    [[nodiscard]] Side weightAt(const glm::ivec3& cell) const {
+        if (glm::any(glm::lessThan(cell, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(cell, values_.dims()))) {
+            return {};
+        }
+        Side side;
+        side.magnitude = magnitudes_.at(cell.x, cell.y, cell.z);
+        if (side.magnitude >= least_) {
+            const auto v = static_cast<double>(matterAt(cell, values_.at(cell.x, cell.y, cell.z)).value);
+            side.weight = static_cast<double>(side.magnitude) * v;
+            side.value = side.weight * v;
+        }
+        return side;
     }
 
-    /// The voxel's share of its surface, and where the surface is.
-    void lookThroughSurface(MarkVoxel& voxel) const {
-        const glm::vec3 step =
-            glm::vec3(field_->grid.mmToVoxelMatrix() * (glm::dvec3(voxel.normalMm) * field_->mmPerVoxel));
-        const glm::vec3 here(voxel.cell);
-        const float own = magnitudes_.at(here) * voxel.value;
-        float sum = own;
-        constexpr int reach = 4; // voxels: a boundary that is thicker has marks all the way through
-        for (const float side : {-1.0F, 1.0F}) {
-            float before = own;
-            bool falling = false;
-            for (int k = 1; k <= reach; ++k) {
-                const float next = weightAt(here + side * static_cast<float>(k) * step);
-                if (falling && next > before) {
-                    break; // another surface
-                }
-                falling = falling || next < before;
-                sum += next;
-                before = next;
+    [[nodiscard]] Side side(glm::ivec3 cell, const Side& own, int axis, int step) const {
+        Side sum;
+        double before = own.weight;
+        bool falling = false;
+        for (int k = 1; k <= kReach; ++k) {
+            cell[axis] += step;
+            const Side next = weightAt(cell);
+            if (!(next.weight > 0) || (falling && next.weight > before)) {
+                break; // out of it, or another surface
             }
+            falling = falling || next.weight < before;
+            sum.weight += next.weight;
+            sum.value += next.value;
+            sum.magnitude = std::max(sum.magnitude, next.magnitude);
+            before = next.weight;
         }
-        voxel.share = sum > 0 ? own / sum : 0;
-        const float low = magnitudes_.at(here - step);
-        const float mid = magnitudes_.at(here);
-        const float high = magnitudes_.at(here + step);
-        const float bend = low - 2 * mid + high;
-        const float offset = bend < 0 ? 0.5F * (low - high) / bend : 0.0F;
-        voxel.edgeOffsetMm = std::clamp(offset, -1.0F, 1.0F) * static_cast<float>(field_->mmPerVoxel);
+        return sum;
+    }
+
+    /// To where the gradient is largest along an axis: uphill to the largest cell, then a parabola. The same place for
+    /// all cells of a column.
+    [[nodiscard]] float cellsToEdge(const glm::ivec3& from, int axis) const {
+        const auto magnitude = [&](int cells) {
+            glm::ivec3 cell = from;
+            cell[axis] += cells;
+            return magnitudes_.at(cell.x, cell.y, cell.z);
+        };
+        int top = 0;
+        const int step = magnitude(1) > magnitude(-1) ? 1 : -1;
+        while (std::abs(top) < kReach && magnitude(top + step) > magnitude(top)) {
+            top += step;
+        }
+        const float bend = magnitude(top - 1) - 2 * magnitude(top) + magnitude(top + 1);
+        const float offset = bend < 0 ? 0.5F * (magnitude(top - 1) - magnitude(top + 1)) / bend : 0.0F;
+        return static_cast<float>(top) + std::clamp(offset, -0.5F, 0.5F);
+    }
+
+    /// The voxel's part of its surface: of the cells along the axis that crosses it most squarely, so that the parts of
+    /// a column add up, however the surface lies to the grid. Value and gradient are the surface's, of which the column
+    /// is a look through: its cells draw alike.
+    void lookThroughSurface(MarkVoxel& voxel) const {
+        const glm::dmat3 steps = field_->grid.voxelToMmMatrix();
+        const glm::dvec3 rises = glm::dvec3(voxel.normalMm) * steps; // mm along the normal per cell
+        const glm::dvec3 along = glm::abs(rises);
+        const int axis = along.x >= along.y && along.x >= along.z ? 0 : along.y >= along.z ? 1 : 2;
+        const glm::ivec3 cell(voxel.cell);
+        const Side own = weightAt(cell);
+        const Side low = side(cell, own, axis, -1);
+        const Side high = side(cell, own, axis, 1);
+        const double sum = low.weight + own.weight + high.weight;
+        if (!(own.weight > 0)) {
+            return; // beside matter
+        }
+        voxel.value = static_cast<float>((low.value + own.value + high.value) / sum);
+        voxel.gradient = std::min(std::max({low.magnitude, own.magnitude, high.magnitude}) / largest_, 1.0F);
+        voxel.partStart = static_cast<float>(low.weight / sum);
+        voxel.part = static_cast<float>(own.weight / sum);
+        voxel.edgeOffsetMm = cellsToEdge(cell, axis) * static_cast<float>(rises[axis]);
+        // The surface over a face, in faces of a cube of the cell's volume.
+        const glm::dvec3 s = field_->grid.spacingMm;
+        const double face = s.x * s.y * s.z / (s[axis] * field_->mmPerVoxel * field_->mmPerVoxel);
+        const double slant = s[axis] / std::max(along[axis], 0.5 * s[axis]);
+        voxel.share = voxel.part * static_cast<float>(face * slant);
     }
 
     /// Principal curvatures of the level surface: the gradient's own slope, in the tangent plane, over its length.
@@ -325,6 +373,7 @@ class FieldMaker {
     CoarseValues values_;
     CoarseValues magnitudes_;
     float largest_ = 0; ///< 99.9th percentile
+    float least_ = 0;   ///< of a cell with marks
     std::vector<CueField> opacity_;
 };
 

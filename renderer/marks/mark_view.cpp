@@ -20,6 +20,7 @@ constexpr double kMostDepthCells = 16e6;
 /// Matter thinner than this is as good as air: noise must not hide a surface.
 constexpr float kLeastData = 0.05F;
 constexpr float kLeastOpacity = 0.25F;
+constexpr float kLeastPart = 0.1F; ///< of its surface: the skirts of one lie before it
 /// Radius of a voxel's disc, in voxels: half the diagonal of a cube, so that a surface has no holes.
 constexpr float kDiscVoxels = 0.87F;
 /// A surface is some voxels thick; its marks do not hide one another.
@@ -95,7 +96,7 @@ MarkDepth::MarkDepth(const MarkField& field, const MarkView& view, bool matterOf
     const float least = matterOfLayers ? kLeastOpacity : kLeastData;
     tbb::parallel_for(std::size_t{0}, field.voxels.size(), [&](std::size_t i) {
         const MarkVoxel& voxel = field.voxels[i];
-        if (voxel.value >= least) {
+        if (voxel.value >= least && voxel.part >= kLeastPart) {
             addDisc(field, view, voxel, near);
         }
     });
@@ -107,7 +108,7 @@ MarkDepth::MarkDepth(const MarkField& field, const MarkView& view, bool matterOf
 
 void MarkDepth::addDisc(const MarkField& field, const MarkView& view, const MarkVoxel& voxel,
                         std::vector<std::uint32_t>& near) {
-    const glm::dvec3 mm = field.placeMm(voxel);
+    const glm::dvec3 mm = field.placeMm(voxel) + glm::dvec3(voxel.normalMm * voxel.edgeOffsetMm);
     if (!view.kept(mm)) {
         return;
     }
