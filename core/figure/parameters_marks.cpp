@@ -149,10 +149,11 @@ std::span<const Field> fieldsOf<StippleHatching>() {
     return fields;
 }
 
-template <>
-std::span<const Field> fieldsOf<Stipple>() {
+namespace {
+
+std::vector<Field> stippleDots() {
     using T = Stipple;
-    static const Field fields[] = {
+    return {
         field<&T::inkRgb>("ink_rgb",
                           {.label = "Ink", .help = "Colour of the dots.", .unit = "sRGB", .low = 0, .high = 1}),
         field<&T::fromStyle>(
@@ -177,6 +178,12 @@ std::span<const Field> fieldsOf<Stipple>() {
                                       .unit = "mm on paper",
                                       .low = 0,
                                       .high = 100}),
+    };
+}
+
+std::vector<Field> stippleChoices() {
+    using T = Stipple;
+    return {
         field<&T::hidden>("hidden", {.label = "Hidden dots",
                                      .help = "Dots behind matter are removed or shown.",
                                      .cost = kPlan,
@@ -212,6 +219,12 @@ std::span<const Field> fieldsOf<Stipple>() {
                                  .low = 0,
                                  .high = 1e9,
                                  .omitDefault = true}),
+    };
+}
+
+std::vector<Field> stippleParts() {
+    using T = Stipple;
+    return {
         field<&T::boundary>("boundary", {.label = "Boundary", .help = "More dots on boundaries.", .cost = kPlan}),
         field<&T::silhouette>("silhouette",
                               {.label = "Silhouette", .help = "More dots on silhouettes.", .cost = kPlan}),
@@ -227,6 +240,18 @@ std::span<const Field> fieldsOf<Stipple>() {
         field<&T::hatching>("hatching",
                             {.label = "Hatching", .help = "Strokes along the form's curvature.", .cost = kFields}),
     };
+}
+
+} // namespace
+
+template <>
+std::span<const Field> fieldsOf<Stipple>() {
+    static const std::vector<Field> fields = [] {
+        std::vector<Field> all = stippleDots();
+        for (const std::vector<Field>& more : {stippleChoices(), stippleParts()})
+            all.insert(all.end(), more.begin(), more.end());
+        return all;
+    }();
     return fields;
 }
 

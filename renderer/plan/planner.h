@@ -13,7 +13,7 @@ struct PlanRequest {
     double stepScale = 1; ///< > 1: coarser steps for a draft
     int subPixels = 0;    ///< per axis; 0: the figure's quality
     bool omit = true; ///< false: keep all but hidden layers in (`--no-omit`), to prove that leaving out changes nothing
-    bool moving = false; ///< a frame of a drag: marks stay on the volume
+    bool moving = false;                  ///< a frame of a drag: marks stay on the volume
     std::optional<SampleLattice> lattice; ///< instead of the figure's, for convergence studies
 };
 
