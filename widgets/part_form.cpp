@@ -118,7 +118,10 @@ void PartForm::submit(const QString& label, const std::string& key, bool ongoing
 void scrollToOpened(QScrollArea* area) {
     for (PartForm* part : area->widget()->findChildren<PartForm*>())
         QObject::connect(part, &PartForm::opened, area, [area, part] {
-            QTimer::singleShot(0, part, [=] { area->ensureWidgetVisible(part, 0, 4); }); // once it is laid out
+            QTimer::singleShot(0, part, [=] { // once it is laid out
+                area->ensureWidgetVisible(part, 0, 4);
+                area->ensureWidgetVisible(part->present(), 0, 4); // of a part that is taller than the panel, its top
+            });
         });
 }
 

@@ -81,8 +81,8 @@ void StipplePart::addPresets() {
         });
     }
     QToolButton* button =
-        textButton(tr("&Preset  "), tr("Take a ready-made look; ink, dot size and how the dots stand to the layers "
-                                       "stay"));
+        textButton(tr("Preset  "), tr("Take a ready-made look; ink, dot size and how the dots stand to the layers "
+                                      "stay"));
     button->setMenu(presets);
     button->setPopupMode(QToolButton::InstantPopup);
     button->setFocusPolicy(Qt::StrongFocus);
@@ -172,11 +172,16 @@ void StipplePart::addParts(const std::vector<PartForm*>& parts) {
     }
 }
 
-StippleForm::StippleForm(QWidget* parent) : QWidget(parent), whole_(new StipplePart) {
+StippleForm::StippleForm(QWidget* parent)
+    : QWidget(parent), whole_(new StipplePart),
+      none_(new QLabel(tr("The figure has no marks of ink. Switch them on, or take a ready-made look, to draw with "
+                          "dots, lines and strokes."))) {
+    none_->setWordWrap(true);
     auto* content = new QWidget;
     auto* column = new QVBoxLayout(content);
     column->setContentsMargins(8, 8, 8, 8);
     column->addWidget(whole_);
+    column->addWidget(none_);
     column->addStretch(1);
     QScrollArea* scroll = scrolling(content);
     auto* layout = new QVBoxLayout(this);
@@ -193,6 +198,7 @@ void StippleForm::setFigure(const std::shared_ptr<const Figure>& figure) {
     whole_->setFigure(figure, 0);
     for (PartForm* part : whole_->parts())
         part->setFigure(figure, 0);
+    none_->setVisible(figure && !figure->stipple);
 }
 
 QCheckBox* StippleForm::inked() const { return whole_->present(); }

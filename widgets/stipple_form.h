@@ -9,6 +9,7 @@
 
 class QCheckBox;
 class QComboBox;
+class QLabel;
 class QMenu;
 class QSpinBox;
 
@@ -45,6 +46,7 @@ class StippleForm : public QWidget {
 
   private:
     StipplePart* whole_;
+    QLabel* none_; ///< says what the panel is for
 };
 
 } // namespace limner

@@ -519,7 +519,7 @@ TEST(Studio, TheStipplePanelChangesTheFigureWhileItsSlidersMove) {
     ASSERT_TRUE(studio.openSample());
     StippleForm& panel = studio.window->stipple();
     EXPECT_FALSE(panel.inked()->isChecked());
-    EXPECT_FALSE(panel.inked()->isVisible() && !panel.visibleRegion().isEmpty()) << "it lies behind another tab";
+    EXPECT_TRUE(panel.visibleRegion().isEmpty()) << "it lies behind another tab";
     action->trigger();
     QTest::qWait(0);
     ASSERT_TRUE(studio.figure().stipple);

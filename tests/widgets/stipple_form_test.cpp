@@ -52,6 +52,10 @@ struct Panel {
         ASSERT_TRUE(action) << preset;
         action->trigger();
     }
+    [[nodiscard]] bool says(const QString& words) const {
+        const auto labels = form.findChildren<QLabel*>();
+        return std::ranges::any_of(labels, [&](QLabel* l) { return l->isVisible() && l->text().contains(words); });
+    }
     [[nodiscard]] const std::optional<Stipple>& stipple() const { return history.current()->stipple; }
 
     StippleForm form;
@@ -69,10 +73,12 @@ TEST(StippleForm, TheSwitchAddsAndRemovesTheWhole) {
     const Figure start = *panel.history.current();
     EXPECT_FALSE(panel.form.inked()->isChecked());
     EXPECT_FALSE(panel.form.ink()->isVisible());
+    EXPECT_TRUE(panel.says("no marks of ink"));
     panel.form.inked()->click();
     ASSERT_TRUE(panel.stipple());
     EXPECT_EQ(*panel.stipple(), stipplePresets().front().part) << "something is to be seen";
     EXPECT_TRUE(panel.form.ink()->isVisible());
+    EXPECT_FALSE(panel.says("no marks of ink"));
     panel.form.row("/stipple/size_mm")->box()->setValue(0.8);
     panel.form.part("/stipple/lighting")->present()->click();
     panel.form.inked()->click();
@@ -284,19 +290,13 @@ TEST(StippleForm, PresetsAreTakenWithOrWithoutStipples) {
 
 TEST(StippleForm, SaysThatWithoutAFactorAllIsDark) {
     Panel panel;
-    const auto said = [&] {
-        for (const QLabel* label : panel.form.findChildren<QLabel*>())
-            if (label->text().contains("as dark as"))
-                return label->isVisible();
-        return false;
-    };
     panel.startBare();
-    EXPECT_TRUE(said());
+    EXPECT_TRUE(panel.says("as dark as"));
     panel.form.part("/stipple/interior")->present()->click();
-    EXPECT_FALSE(said());
+    EXPECT_FALSE(panel.says("as dark as"));
     panel.form.part("/stipple/interior")->present()->click();
     panel.form.part("/stipple/curves")->present()->click();
-    EXPECT_TRUE(said()) << "a line is no tone";
+    EXPECT_TRUE(panel.says("as dark as")) << "a line is no tone";
 }
 
 TEST(StippleForm, KeysReachAllOfItFromTopToBottomAndAllHasAName) {
