@@ -3,12 +3,14 @@
 #include "core/figure/figure.h"
 #include "core/figure/parameters.h"
 
+#include <QComboBox>
 #include <QEvent>
 #include <QFormLayout>
 #include <QLabel>
 #include <QScrollArea>
 #include <QToolButton>
 
+#include <algorithm>
 #include <cassert>
 
 namespace limner {
@@ -74,6 +76,24 @@ QToolButton* textButton(const QString& text, const QString& tip) {
     button->setToolButtonStyle(Qt::ToolButtonTextOnly);
     return button;
 }
+
+QComboBox* choiceBox(std::string_view pointer, const ChoiceWords& words) {
+    auto* box = new QComboBox;
+    for (const auto& [word, name] : words)
+        box->addItem(name, QString(word));
+    assert(std::ranges::equal(words, setting(pointer).choices, {}, [](const auto& pair) { return pair.first; }));
+    box->setAccessibleName(labelOfSetting(pointer));
+    box->setToolTip(helpOfSetting(pointer));
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon); // long words must not widen the panel
+    leaveWheelToPanel(box);
+    return box;
+}
+
+void choose(QComboBox* box, const std::string& word) {
+    box->setCurrentIndex(box->findData(QString::fromStdString(word)));
+}
+
+std::string chosenWord(const QComboBox* box) { return box->currentData().toString().toStdString(); }
 
 void leaveWheelToPanel(QWidget* widget) {
     widget->setFocusPolicy(Qt::StrongFocus); // the wheel itself must not give the focus

@@ -2,8 +2,12 @@
 
 #include <QString>
 
+#include <initializer_list>
+#include <string>
 #include <string_view>
+#include <utility>
 
+class QComboBox;
 class QFormLayout;
 class QLabel;
 class QScrollArea;
@@ -31,6 +35,13 @@ QLabel* addLabelled(QFormLayout* form, const QString& text, QWidget* field, QWid
 
 /// A small button with words.
 QToolButton* textButton(const QString& text, const QString& tip);
+
+/// A box of a setting's legal words, each as people read it; all of them, in the table's order.
+using ChoiceWords = std::initializer_list<std::pair<const char*, QString>>;
+QComboBox* choiceBox(std::string_view pointer, const ChoiceWords& words);
+/// Shows the item that stands for a word, and the word of the chosen one.
+void choose(QComboBox* box, const std::string& word);
+std::string chosenWord(const QComboBox* box);
 
 /// A wheel over the widget scrolls the panel and does not change the widget unless it has the focus.
 void leaveWheelToPanel(QWidget* widget);

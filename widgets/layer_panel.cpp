@@ -9,7 +9,6 @@
 #include <QLabel>
 #include <QScrollArea>
 #include <QSplitter>
-#include <QTimer>
 #include <QVBoxLayout>
 
 namespace limner {
@@ -37,10 +36,7 @@ LayerPanel::LayerPanel(QWidget* parent)
     auto* whole = new QVBoxLayout(this);
     whole->setContentsMargins(0, 0, 0, 0);
     whole->addWidget(split);
-    for (PartForm* part : content->findChildren<PartForm*>())
-        connect(part, &PartForm::opened, scroll, [scroll, part] {
-            QTimer::singleShot(0, part, [=] { scroll->ensureWidgetVisible(part, 0, 4); }); // once it is laid out
-        });
+    scrollToOpened(scroll);
     connect(layers_, &LayerList::edited, this, &LayerPanel::edited);
     connect(form_, &LayerForm::edited, this, &LayerPanel::edited);
     connect(parts_, &LayerPartsForm::edited, this, &LayerPanel::edited);

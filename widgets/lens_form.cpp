@@ -23,10 +23,6 @@ namespace {
 constexpr std::size_t kMostLenses = 64; // that a figure may have
 constexpr int kListHeight = 72;         // three lenses; more scroll
 
-void choose(QComboBox* box, const std::string& word) {
-    box->setCurrentIndex(box->findData(QString::fromStdString(word)));
-}
-
 } // namespace
 
 LensForm::LensForm(QWidget* parent)

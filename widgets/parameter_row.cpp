@@ -89,7 +89,8 @@ void ParameterRow::setPicture(const QImage& picture) {
 }
 
 double ParameterRow::sliderValue() const {
-    const double value = useful_.low + (useful_.high - useful_.low) * slider_->value() / kSteps;
+    const double way = std::pow(static_cast<double>(slider_->value()) / kSteps, useful_.power);
+    const double value = useful_.low + (useful_.high - useful_.low) * way;
     return std::clamp(value, box_->minimum(), box_->maximum());
 }
 
@@ -98,7 +99,7 @@ void ParameterRow::setValue(double value) {
     const double width = useful_.high - useful_.low; // 0: of a constant scan's values
     const double share = width > 0 ? std::clamp((value - useful_.low) / width, 0.0, 1.0) : 0;
     if (!slider_->isSliderDown())
-        slider_->setValue(static_cast<int>(std::lround(share * kSteps)));
+        slider_->setValue(static_cast<int>(std::lround(std::pow(share, 1 / useful_.power) * kSteps)));
     box_->setValue(value);
 }
 

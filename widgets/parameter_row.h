@@ -25,6 +25,7 @@ class ParameterRow : public QWidget {
         double low = 0;
         double high = 1;
         int decimals = 2;
+        double power = 1; ///< of the slider's way: 2 gives small values more of it
     };
 
     /// `pointer`: of a number in the parameter table ("/importance/global").

@@ -1,12 +1,13 @@
 #include "widgets/part_form.h"
 
-#include "widgets/form_parts.h"
-
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QScrollArea>
 #include <QSlider>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -20,13 +21,14 @@ constexpr int kIndent = 20; // rows stand under the check box's words
 
 PartForm::PartForm(std::string pointer, QWidget* parent)
     : QWidget(parent), pointer_(std::move(pointer)), present_(new QCheckBox(labelOfSetting(pointer_))),
-      body_(new QWidget), form_(formLayout(body_)) {
+      head_(new QHBoxLayout), body_(new QWidget), form_(formLayout(body_)) {
     present_->setToolTip(helpOfSetting(pointer_));
     form_->setContentsMargins(kIndent, 2, 0, 6);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(2);
-    column->addWidget(present_);
+    head_->addWidget(present_, 1);
+    column->addLayout(head_);
     column->addWidget(body_);
     body_->hide();
     setEnabled(false);
@@ -59,6 +61,24 @@ LightForm* PartForm::addLightRow(const std::string& pointer) {
     label->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::MinimumExpanding); // beside the middle of the ball
     return light;
 }
+
+QComboBox* PartForm::addChoiceRow(const std::string& pointer, const ChoiceWords& words) {
+    QComboBox* box = choiceBox(pointer, words);
+    addLabelled(form_, labelOfSetting(pointer), box);
+    choices_.emplace_back(pointer, box);
+    return box;
+}
+
+QComboBox* PartForm::choice(std::string_view pointer) const {
+    const auto found = std::ranges::find(choices_, pointer, [](const auto& c) { return std::string_view(c.first); });
+    return found == choices_.end() ? nullptr : found->second;
+}
+
+void PartForm::onChosen(QComboBox* box, const std::function<void()>& then) {
+    connect(box, &QComboBox::activated, this, then);
+}
+
+void PartForm::addBeside(QWidget* widget) { head_->addWidget(widget); }
 
 bool PartForm::on() const { return figure_ && has(*figure_, layer_); }
 
@@ -93,6 +113,16 @@ void PartForm::submit(const QString& label, const std::string& key, bool ongoing
               ongoing};
     change(edit.figure);
     Q_EMIT edited(edit);
+}
+
+void scrollToOpened(QScrollArea* area) {
+    for (PartForm* part : area->widget()->findChildren<PartForm*>())
+        QObject::connect(part, &PartForm::opened, area, [area, part] {
+            QTimer::singleShot(0, part, [=] { // once it is laid out
+                area->ensureWidgetVisible(part, 0, 4);
+                area->ensureWidgetVisible(part->present(), 0, 4); // of a part that is taller than the panel, its top
+            });
+        });
 }
 
 } // namespace limner

@@ -3,6 +3,7 @@
 #include "core/figure/layer_edits.h"
 #include "core/project/history.h"
 #include "widgets/colour_button.h"
+#include "widgets/form_parts.h"
 #include "widgets/light_form.h"
 #include "widgets/parameter_row.h"
 
@@ -17,7 +18,10 @@
 #include <vector>
 
 class QCheckBox;
+class QComboBox;
 class QFormLayout;
+class QHBoxLayout;
+class QScrollArea;
 
 namespace limner {
 
@@ -35,6 +39,9 @@ class PartForm : public QWidget {
     [[nodiscard]] QCheckBox* present() const { return present_; }
     /// Null for a pointer that has no row.
     [[nodiscard]] ParameterRow* row(std::string_view pointer) const;
+    [[nodiscard]] QComboBox* choice(std::string_view pointer) const;
+    /// A widget at the end of the check box's line; there whether the part is or not.
+    void addBeside(QWidget* widget);
     /// Whether the part is there.
     [[nodiscard]] bool on() const;
 
@@ -56,6 +63,8 @@ class PartForm : public QWidget {
     ParameterRow* addRow(const std::string& pointer, const ParameterRow::Useful& useful, const QString& label);
     ColourButton* addColourRow(const std::string& pointer);
     LightForm* addLightRow(const std::string& pointer);
+    QComboBox* addChoiceRow(const std::string& pointer, const ChoiceWords& words);
+    void onChosen(QComboBox* box, const std::function<void()>& then);
     [[nodiscard]] bool mayEdit() const;
     /// Emits the edit, unless the layer is locked. `key` is made this layer's own.
     void submit(const QString& label, const std::string& key, bool ongoing, const std::function<void(Figure&)>& change);
@@ -65,9 +74,11 @@ class PartForm : public QWidget {
 
     std::string pointer_;
     QCheckBox* present_;
+    QHBoxLayout* head_;
     QWidget* body_;
     QFormLayout* form_;
     std::vector<ParameterRow*> numbers_;
+    std::vector<std::pair<std::string, QComboBox*>> choices_;
     std::shared_ptr<const Figure> figure_;
     std::size_t layer_ = 0;
 };
@@ -95,12 +106,13 @@ class PartFormOf : public PartForm {
             change(what, key, ongoing, [=](Part& part) { of(part) = value; });
         });
     }
-    void addColour(const std::string& pointer, glm::dvec3& (*of)(Part&)) {
+    ColourButton* addColour(const std::string& pointer, glm::dvec3& (*of)(Part&)) {
         ColourButton* button = addColourRow(pointer);
         onShow([=](Part part) { button->setColour(of(part)); });
         connect(button, &ColourButton::chosen, this, [=, this](const glm::dvec3& rgb) {
             change(tr("Change colour"), {}, false, [=](Part& part) { of(part) = rgb; });
         });
+        return button;
     }
     LightForm* addLight(const std::string& pointer, Light& (*of)(Part&)) {
         LightForm* light = addLightRow(pointer);
@@ -109,6 +121,15 @@ class PartFormOf : public PartForm {
             change(tr("Move light"), key, ongoing, [=](Part& part) { of(part) = to; });
         });
         return light;
+    }
+    QComboBox* addChoice(const std::string& pointer, const ChoiceWords& words, std::string& (*of)(Part&)) {
+        QComboBox* box = addChoiceRow(pointer, words);
+        onShow([=](Part part) { choose(box, of(part)); });
+        onChosen(box, [=, this] {
+            change(tr("Change %1").arg(labelOfSetting(pointer).toLower()), {}, false,
+                   [=](Part& part) { of(part) = chosenWord(box); });
+        });
+        return box;
     }
 
     /// Called whenever the part is to be shown.
@@ -159,5 +180,8 @@ typename PartFormOf<Part>::Access layerPart(Part (*first)(const Figure&) = [](co
             },
             first};
 }
+
+/// Scrolls to a part of the area's content once the user has switched it on.
+void scrollToOpened(QScrollArea* area);
 
 } // namespace limner

@@ -35,6 +35,8 @@ constexpr ActionRow kActions[] = {
     {"edit.copy-picture", TEXT("&Copy picture"), TEXT("Copy the shown picture to the clipboard"), "Ctrl+Shift+C", ""},
     {"edit.-2", "", "", "", ""},
     {"edit.add-lens", TEXT("Add &lens"), TEXT("Add a lens under which what matters shows through"), "Ctrl+L", ""},
+    {"edit.stipple", TEXT("St&ipple"), TEXT("Draw the figure with dots and lines of ink, and show their panel"),
+     "Ctrl+I", ""},
     {"edit.-3", "", "", "", ""},
     {"edit.scissors", TEXT("&Scissors"), TEXT("Cut away what an outline drawn in the picture encloses"), "X", ""},
     {"edit.keep-island", TEXT("&Keep the island here"),

@@ -59,6 +59,7 @@ MainWindow::MainWindow(Engine engine)
     setAcceptDrops(true);
     buildPanels();
     buildCleanup();
+    buildStipple();
     buildMenus();
     buildToolBar();
     buildStatusBar();
@@ -315,6 +316,7 @@ void MainWindow::documentChanged() {
     importance_->setFigure(figure);
     showLens();
     showCleanup();
+    showStipple();
     showTitle();
     wantPicture();
 }

@@ -33,6 +33,7 @@ class PictureFeed;
 class PresetMenu;
 class ProgressStrip;
 class ScissorsOverlay;
+class StippleForm;
 class StyleGallery;
 class ThemeMenu;
 class TransferEditor1d;
@@ -84,6 +85,7 @@ class MainWindow : public QMainWindow {
     [[nodiscard]] CleanupForm& cleanup() { return *cleanup_; }
     [[nodiscard]] ScissorsOverlay& scissors() { return *scissors_; }
     [[nodiscard]] IslandOverlay& islandTool() { return *island_; }
+    [[nodiscard]] StippleForm& stipple() { return *stipple_; }
     [[nodiscard]] NoticeBar& notices() { return *notices_; }
     /// Whether a job of the window (import, labels, save, export, preset, theme, background) is under way.
     [[nodiscard]] bool busy() const;
@@ -111,6 +113,8 @@ class MainWindow : public QMainWindow {
     void buildCleanup();
     void connectCleanup();
     void showCleanup();
+    void buildStipple();
+    void showStipple();
     void buildMenus();
     void buildToolBar();
     QToolButton* addLookButton(QToolBar* bar, const QString& text, const QString& tip, QMenu* menu);
@@ -173,6 +177,7 @@ class MainWindow : public QMainWindow {
     CleanupForm* cleanup_;
     ScissorsOverlay* scissors_;
     IslandOverlay* island_;
+    StippleForm* stipple_;
     PresetMenu* presets_;
     ThemeMenu* themes_;
     QToolButton* presetButton_ = nullptr;

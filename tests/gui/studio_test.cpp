@@ -21,12 +21,14 @@
 #include "widgets/parameter_row.h"
 #include "widgets/part_form.h"
 #include "widgets/scissors_overlay.h"
+#include "widgets/stipple_form.h"
 #include "widgets/style_gallery.h"
 #include "widgets/transfer_editor_1d.h"
 #include "widgets/viewport.h"
 
 #include <gtest/gtest.h>
 
+#include <QCheckBox>
 #include <QClipboard>
 #include <QDropEvent>
 #include <QLabel>
@@ -34,6 +36,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QSlider>
 #include <QTest>
 #include <QTimer>
 
@@ -506,6 +509,44 @@ TEST(Studio, TheImportancePanelShowsWhatEachMeasureDoes) {
     ASSERT_TRUE(studio.figure().importance);
     EXPECT_EQ(studio.figure().importance->lenses.size(), 1U);
     EXPECT_TRUE(studio.window->lensOverlay().isVisible());
+}
+
+/// The action draws with ink and brings its panel; a dragged slider is one step, and the picture follows it in drafts.
+TEST(Studio, TheStipplePanelChangesTheFigureWhileItsSlidersMove) {
+    Studio studio;
+    QAction* action = studio.window->actions().at("edit.stipple");
+    EXPECT_FALSE(action->isEnabled());
+    ASSERT_TRUE(studio.openSample());
+    StippleForm& panel = studio.window->stipple();
+    EXPECT_FALSE(panel.inked()->isChecked());
+    EXPECT_TRUE(panel.visibleRegion().isEmpty()) << "it lies behind another tab";
+    action->trigger();
+    QTest::qWait(0);
+    ASSERT_TRUE(studio.figure().stipple);
+    EXPECT_TRUE(action->isChecked());
+    EXPECT_TRUE(panel.inked()->isChecked());
+    EXPECT_FALSE(panel.visibleRegion().isEmpty()) << "the panel is in front";
+    EXPECT_TRUE(panel.inked()->hasFocus());
+    const History& history = studio.window->document().history();
+    const std::size_t before = history.position();
+    QSlider* gain = panel.row("/stipple/boundary/kgs")->slider();
+    gain->setSliderDown(true);
+    for (const int at : {20, 60, 120}) {
+        gain->setSliderPosition(at);
+        EXPECT_TRUE(studio.window->document().gestureOngoing());
+        ASSERT_TRUE(pumpUntil([&] {
+            const auto& picture = studio.window->viewport().picture();
+            return picture && picture->plan->figure->stipple == studio.figure().stipple;
+        })) << "the picture follows";
+    }
+    gain->setSliderDown(false);
+    EXPECT_FALSE(studio.window->document().gestureOngoing());
+    EXPECT_EQ(history.position(), before + 1);
+    ASSERT_TRUE(studio.waitForFinal());
+    studio.trigger("edit.undo");
+    studio.trigger("edit.undo");
+    EXPECT_FALSE(studio.figure().stipple);
+    EXPECT_FALSE(action->isChecked());
 }
 
 TEST(Studio, TheShownPictureCanBeCopied) {
