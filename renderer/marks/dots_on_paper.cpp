@@ -143,7 +143,7 @@ class PaperTone {
                     continue;
                 }
                 const PlaceOnPaper at = scene_.view.place(mm);
-                if (const float seen = scene_.depth.visible(at); seen > 0 && at.scale > 0) {
+                if (const float seen = scene_.depth.visible(at, ink.facing); seen > 0 && at.scale > 0) {
                     spread(i, at, area * seen, firstRow, endRow);
                 }
             }

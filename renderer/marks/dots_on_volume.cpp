@@ -15,6 +15,8 @@ namespace {
 constexpr std::size_t kChunk = 4096; ///< voxels that one task draws
 /// A drawing is of dots, not of greys: most of them are whole.
 constexpr float kFadingPart = 0.3F;
+/// |n.e| at which a dot on the edge of a form is whole: none comes or goes all at once as the form turns.
+constexpr float kWholeFacing = 0.03F;
 constexpr float kFaintest = 0.02F; ///< opacity that nobody sees
 
 std::uint32_t mixed(std::uint32_t x) {
@@ -54,17 +56,18 @@ class VolumeDots {
         const Frame frame = frameOf(voxel);
         // A dot fades over the last unit of N, or over a part of a smaller N: the mean ink stays N.
         const float fade = fading_ ? std::min(1 / static_cast<float>(capacity_), kFadingPart * end) : 0.0F;
+        const float edge = std::min(ink.facing / kWholeFacing, 1.0F);
         const glm::dvec2 low(frame.cell.x * edge_ + frame.offset.x, frame.cell.y * edge_ + frame.offset.y);
-        dotPattern().forEachIn(low, low + edge_, end + 0.5F * fade,
-                               [&](const glm::dvec2& place, float rank, std::uint32_t number) {
-                                   const float part = static_cast<float>(mixed(number) >> 8) * 0x1p-24F;
-                                   if (part < voxel.partStart || part >= voxel.partStart + voxel.part) {
-                                       return;
-                                   }
-                                   const float shown = fade > 0 ? std::min((end - rank) / fade + 0.5F, 1.0F) : 1.0F;
-                                   const glm::dvec2 f = (place - low) / edge_ - 0.5;
-                                   addDot(i, frame, f, number, shown, dots);
-                               });
+        dotPattern().forEachIn(
+            low, low + edge_, end + 0.5F * fade, [&](const glm::dvec2& place, float rank, std::uint32_t number) {
+                const float part = static_cast<float>(mixed(number) >> 8) * 0x1p-24F;
+                if (part < voxel.partStart || part >= voxel.partStart + voxel.part) {
+                    return;
+                }
+                const float shown = fade > 0 ? edge * std::min((end - rank) / fade + 0.5F, 1.0F) : 1.0F;
+                const glm::dvec2 f = (place - low) / edge_ - 0.5;
+                addDot(i, frame, f, number, shown, dots);
+            });
     }
 
   private:
@@ -118,7 +121,7 @@ class VolumeDots {
             return;
         }
         const PlaceOnPaper at = scene_.view.place(mm);
-        float opacity = shown * scene_.depth.visible(at);
+        float opacity = shown * scene_.depth.visible(at, scene_.ink[i].facing);
         if (!fading_) {
             opacity = opacity >= 0.5F ? 1.0F : 0.0F;
         }

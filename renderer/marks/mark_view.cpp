@@ -25,6 +25,8 @@ constexpr float kLeastPart = 0.1F; ///< of its surface: the skirts of one lie be
 constexpr float kDiscVoxels = 0.87F;
 /// A surface is some voxels thick; its marks do not hide one another.
 constexpr float kToleranceVoxels = 1.5F;
+constexpr float kSlantTolerance = 0.4F;
+constexpr float kLeastFacing = 0.1F;
 
 /// Floats as whole numbers in the same order, so that the nearest can be kept without a lock.
 std::uint32_t ordered(float depth) {
@@ -138,21 +140,31 @@ void MarkDepth::addDisc(const MarkField& field, const MarkView& view, const Mark
     }
 }
 
-float MarkDepth::visible(const PlaceOnPaper& place) const {
+float MarkDepth::visible(const PlaceOnPaper& place, float facing) const {
     if (nearest_.empty()) {
         return 1;
     }
-    const auto cell = static_cast<float>(cellMm_);
-    const glm::ivec2 c(static_cast<int>(std::floor(place.mm.x / cell)),
-                       static_cast<int>(std::floor(place.mm.y / cell)));
-    if (c.x < 0 || c.y < 0 || c.x >= size_.x || c.y >= size_.y) {
-        return 1;
+    // Between four cells, so that a mark does not jump out of sight. On a surface seen edge-on a cell is as deep as it
+    // is slanted.
+    const float tolerance = toleranceMm_ * (1 + kSlantTolerance * (1 / std::max(facing, kLeastFacing) - 1));
+    const glm::vec2 at = place.mm / static_cast<float>(cellMm_) - 0.5F;
+    const glm::vec2 low = glm::floor(at);
+    const glm::vec2 f = at - low;
+    float sum = 0;
+    for (int k = 0; k < 4; ++k) {
+        const glm::ivec2 cell = glm::ivec2(low) + glm::ivec2(k & 1, k >> 1);
+        const float weight = ((k & 1) != 0 ? f.x : 1 - f.x) * ((k >> 1) != 0 ? f.y : 1 - f.y);
+        if (cell.x < 0 || cell.y < 0 || cell.x >= size_.x || cell.y >= size_.y) {
+            sum += weight;
+            continue;
+        }
+        const float behind = nearest_[static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(size_.x) +
+                                      static_cast<std::size_t>(cell.x)] -
+                             place.depthMm;
+        const float t = std::clamp(behind / tolerance - 1, 0.0F, 1.0F);
+        sum += weight * (1 - t * t * (3 - 2 * t));
     }
-    const float behind =
-        nearest_[static_cast<std::size_t>(c.y) * static_cast<std::size_t>(size_.x) + static_cast<std::size_t>(c.x)] -
-        place.depthMm;
-    const float t = std::clamp(behind / toleranceMm_ - 1, 0.0F, 1.0F);
-    return 1 - t * t * (3 - 2 * t);
+    return std::min(sum, 1.0F);
 }
 
 } // namespace limner

@@ -49,9 +49,9 @@ class MarkDepth {
     MarkDepth() = default;
     MarkDepth(const MarkField& field, const MarkView& view, bool matterOfLayers);
 
-    /// 1 in front of all matter and on it, 0 some two voxels behind; a smooth step between, so that a mark which goes
-    /// behind something fades.
-    [[nodiscard]] float visible(const PlaceOnPaper& place) const;
+    /// 1 in front of all matter and on it, 0 some voxels behind; a smooth step between, so that a mark which goes
+    /// behind something fades. `facing`: |n.e| of the surface that the mark lies on.
+    [[nodiscard]] float visible(const PlaceOnPaper& place, float facing = 1) const;
 
   private:
     void addDisc(const MarkField& field, const MarkView& view, const MarkVoxel& voxel,

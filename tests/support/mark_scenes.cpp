@@ -1,7 +1,7 @@
-#include "tests/renderer/marks/mark_scenes.h"
+#include "support/mark_scenes.h"
 
 #include "renderer/marks/draw_marks.h"
-#include "tests/support/make_volume.h"
+#include "support/make_volume.h"
 
 #include <algorithm>
 #include <cmath>
