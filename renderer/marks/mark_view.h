@@ -52,6 +52,8 @@ class MarkDepth {
     /// 1 in front of all matter and on it, 0 some two voxels behind; a smooth step between, so that a mark which goes
     /// behind something fades.
     [[nodiscard]] float visible(const PlaceOnPaper& place) const;
+    /// False where all is visible.
+    [[nodiscard]] bool hides() const { return !nearest_.empty(); }
 
   private:
     void addDisc(const MarkField& field, const MarkView& view, const MarkVoxel& voxel,
