@@ -272,7 +272,9 @@ class FieldMaker {
         const float mid = magnitudes_.at(here);
         const float high = magnitudes_.at(here + step);
         const float bend = low - 2 * mid + high;
-        const float offset = bend < 0 ? 0.5F * (low - high) / bend : 0.0F;
+        // On a flank that is hollow the largest gradient is further up than a step.
+        const float uphill = high > low ? 1.0F : low > high ? -1.0F : 0.0F;
+        const float offset = bend < 0 ? 0.5F * (low - high) / bend : uphill;
         voxel.edgeOffsetMm = std::clamp(offset, -1.0F, 1.0F) * static_cast<float>(field_->mmPerVoxel);
     }
 
