@@ -52,6 +52,8 @@ class MarkDepth {
     /// 1 in front of all matter and on it, 0 some voxels behind; a smooth step between, so that a mark which goes
     /// behind something fades. `facing`: |n.e| of the surface that the mark lies on.
     [[nodiscard]] float visible(const PlaceOnPaper& place, float facing = 1) const;
+    /// False where all is visible.
+    [[nodiscard]] bool hides() const { return !nearest_.empty(); }
 
   private:
     void addDisc(const MarkField& field, const MarkView& view, const MarkVoxel& voxel,
