@@ -145,6 +145,8 @@ void RenderCommand::report(Console& console, const ExportFacts& facts, const std
                      {"render_seconds", facts.seconds},
                      {"samples", facts.samples},
                      {"shaded", facts.shaded},
+                     {"dots", facts.dots},
+                     {"strokes", facts.strokes},
                      {"non_finite_pixels", facts.notFinite},
                      {"file_bytes", fileBytes},
                      {"peak_bytes", peakResidentBytes()},
@@ -155,7 +157,10 @@ void RenderCommand::report(Console& console, const ExportFacts& facts, const std
     char text[160];
     std::snprintf(text, sizeof text, "%d x %d pixels, %s, %s backend, %.1f s", facts.size.x, facts.size.y,
                   formatBytes(fileBytes).c_str(), backend.c_str(), seconds);
-    console.say(out_ + ": " + text);
+    std::string marks;
+    if (facts.dots + facts.strokes > 0)
+        marks = ", " + std::to_string(facts.dots) + " dots, " + std::to_string(facts.strokes) + " strokes";
+    console.say(out_ + ": " + text + marks);
 }
 
 } // namespace limner::cli

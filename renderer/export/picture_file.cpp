@@ -6,6 +6,7 @@
 #include "renderer/export/bands.h"
 #include "renderer/export/picture_writer.h"
 #include "renderer/export/pixel_rows.h"
+#include "renderer/marks/marked_picture.h"
 
 #include <algorithm>
 #include <cassert>
@@ -61,8 +62,8 @@ void checkFolder(const std::filesystem::path& path) {
 class BandPipeline {
   public:
     struct Parts {
-        const RenderPlan& plan;
-        const Backend& backend;
+        const MarkedPicture& picture;
+        glm::ivec2 size;
         PixelLayout layout;
         BandLayout bands;
     };
@@ -72,7 +73,7 @@ class BandPipeline {
     /// `afterBand` is called when a band has reached the stream.
     template <typename AfterBand>
     void run(ExportFacts& facts, AfterBand afterBand) {
-        const glm::ivec2 size = parts_.plan.size;
+        const glm::ivec2 size = parts_.size;
         std::vector<std::byte> inFile; // the band that is being written; outlives the writing
         std::future<void> writing;
         for (int row = 0; row < size.y; row += parts_.bands.rows) {
@@ -102,7 +103,7 @@ class BandPipeline {
     }
 
     void renderBand(const Tile& band, ExportFacts& facts) {
-        const glm::ivec2 size = parts_.plan.size;
+        const glm::ivec2 size = parts_.size;
         band_.resize(static_cast<std::size_t>(band.size.x) * static_cast<std::size_t>(band.size.y) *
                      parts_.layout.bytesPerPixel());
         const auto doneAt = [&](int x) {
@@ -113,7 +114,7 @@ class BandPipeline {
             const int width = std::min(parts_.bands.tileWidth, size.x - x);
             Task part(task_, doneAt(x), doneAt(x + width));
             const Tile tile{{x, band.origin.y}, {width, band.size.y}};
-            const RenderResult result = parts_.backend.render(parts_.plan, tile, part);
+            const RenderResult result = parts_.picture.render(tile, part);
             assert(result.picture.size() == tile.size);
             facts.samples += result.samples;
             facts.shaded += result.shaded;
@@ -209,8 +210,11 @@ ExportFacts exportPicture(const RenderPlan& plan, const Backend& backend, const 
     facts.size = plan.size;
     PendingFile file(path);
     PictureWriter writer(header, file.stream());
+    const MarkedPicture picture(plan, backend, task);
+    facts.dots = picture.dots();
+    facts.strokes = picture.strokes();
     task.beginPhase("Rendering");
-    BandPipeline pipeline({plan, backend, header.layout, bands}, writer, task);
+    BandPipeline pipeline({picture, plan.size, header.layout, bands}, writer, task);
     pipeline.run(facts, [&] { file.check(); });
     task.beginPhase("Writing");
     try {
@@ -257,7 +261,7 @@ std::vector<std::byte> encodePng(const Picture& picture, const PictureOptions& o
 
 std::vector<std::byte> renderPng(const RenderPlan& plan, const Backend& backend, const PictureOptions& options,
                                  Task& task) {
-    return encodePng(backend.render(plan, {{0, 0}, plan.size}, task).picture, options);
+    return encodePng(MarkedPicture(plan, backend, task).render({{0, 0}, plan.size}, task).picture, options);
 }
 
 } // namespace limner

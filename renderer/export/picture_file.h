@@ -34,6 +34,8 @@ struct ExportFacts {
     std::uint64_t samples = 0;
     std::uint64_t shaded = 0;
     double seconds = 0;
+    std::uint64_t dots = 0; ///< marks of ink
+    std::uint64_t strokes = 0;
     std::uint64_t notFinite = 0; ///< pixels that were NaN or infinite: written as empty, and warned of
 };
 

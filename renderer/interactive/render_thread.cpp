@@ -1,5 +1,7 @@
 #include "renderer/interactive/render_thread.h"
 
+#include "renderer/marks/marked_picture.h"
+
 #include <utility>
 
 namespace limner {
@@ -175,8 +177,12 @@ bool RenderThread::renderStage(const Numbered& job, const Coarseness& coarseness
     if (!enter(draft ? Stage::draft : Stage::refining, job, rendering))
         return false;
     RenderResult result;
+    PictureFacts facts;
     try {
-        result = backend_->render(*plan, {{0, 0}, plan->size}, *rendering);
+        const MarkedPicture picture(*plan, *backend_, *rendering);
+        result = picture.render({{0, 0}, plan->size}, *rendering);
+        facts.dots = picture.dots();
+        facts.strokes = picture.strokes();
     } catch (const Error&) {
         if (rendering->cancelled())
             pace_.measured(job.view.size, coarseness, millisecondsBetween(planned, Clock::now()), false);
@@ -188,7 +194,6 @@ bool RenderThread::renderStage(const Numbered& job, const Coarseness& coarseness
     DeliveredPicture delivered;
     delivered.picture = std::make_shared<const Picture>(std::move(result.picture));
     delivered.plan = plan;
-    PictureFacts& facts = delivered.facts;
     facts.request = job.number;
     facts.final = last && !job.view.draftsOnly;
     facts.coarseness = coarseness;
@@ -202,6 +207,7 @@ bool RenderThread::renderStage(const Numbered& job, const Coarseness& coarseness
     for (const Task* task : {planning.get(), rendering.get()})
         for (const std::string& warning : task->warnings())
             facts.warnings.push_back(warning);
+    delivered.facts = std::move(facts);
     if (callbacks_.delivered)
         callbacks_.delivered(std::move(delivered));
     return true;

@@ -34,6 +34,8 @@ struct PictureFacts {
     double sinceRequestMs = 0; ///< from the request to the delivery
     std::uint64_t samples = 0;
     std::uint64_t shaded = 0;
+    std::uint64_t dots = 0; ///< marks of ink
+    std::uint64_t strokes = 0;
     std::string backend;
     std::vector<std::string> warnings; ///< what the plan or the renderer has to say, one line each
 };

@@ -1,0 +1,53 @@
+#include "renderer/marks/dot_stencils.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace limner {
+
+namespace {
+
+/// Exact along rows, by chords of 32 lines a pixel across them; then scaled to the disc's own area.
+DotStencils::Stencil coverageOf(double radius, double x, double y) {
+    constexpr int kLines = 32;
+    std::array<double, DotStencils::kEdge * DotStencils::kEdge> shares{};
+    double sum = 0;
+    for (int line = 0; line < DotStencils::kEdge * kLines; ++line) {
+        const double above = (line + 0.5) / kLines - y;
+        if (std::abs(above) >= radius)
+            continue;
+        const double half = std::sqrt(radius * radius - above * above);
+        for (int column = 0; column < DotStencils::kEdge; ++column) {
+            const double covered = std::min(x + half, column + 1.0) - std::max(x - half, static_cast<double>(column));
+            if (covered > 0) {
+                shares[static_cast<std::size_t>(line / kLines * DotStencils::kEdge + column)] += covered / kLines;
+                sum += covered / kLines;
+            }
+        }
+    }
+    const double scale = sum > 0 ? std::numbers::pi * radius * radius / sum : 0;
+    DotStencils::Stencil stencil{};
+    std::transform(shares.begin(), shares.end(), stencil.begin(),
+                   [&](double share) { return static_cast<float>(std::min(share * scale, 1.0)); });
+    return stencil;
+}
+
+} // namespace
+
+const DotStencils& DotStencils::instance() {
+    static const DotStencils stencils;
+    return stencils;
+}
+
+DotStencils::DotStencils() {
+    stencils_.reserve(static_cast<std::size_t>(kSizes) * kPhases * kPhases);
+    for (int size = 1; size <= kSizes; ++size)
+        for (int y = 0; y < kPhases; ++y)
+            for (int x = 0; x < kPhases; ++x)
+                stencils_.push_back(coverageOf(static_cast<double>(size) / kSizesPerPixel,
+                                               kLargestRadius + static_cast<double>(x) / kPhases,
+                                               kLargestRadius + static_cast<double>(y) / kPhases));
+}
+
+} // namespace limner

@@ -1,0 +1,127 @@
+#include "renderer/marks/lay_marks.h"
+
+#include "renderer/marks/band_canvas.h"
+#include "renderer/marks/mark_bins.h"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace limner {
+
+namespace {
+
+/// The marks' premultiplied colour at a pixel.
+struct Premultiplied {
+    float rgba[4];
+};
+Premultiplied colourOf(const InkPixel& pixel, const InkColour& rgb) {
+    const float alpha = 1 - pixel.through;
+    const auto channel = [&](int i) { return static_cast<float>(rgb[i]) / 255 * alpha; };
+    return {{channel(0), channel(1), channel(2), alpha}};
+}
+Premultiplied colourOf(const ColourPixel& pixel, const InkColour& /*rgb*/) {
+    return {{pixel.rgba[0], pixel.rgba[1], pixel.rgba[2], pixel.rgba[3]}};
+}
+
+template <typename Pixel>
+void compose(BandCanvas<Pixel>& canvas, const Marks& marks, const InkColour& rgb, const Tile& tile, Picture& picture) {
+    const Tile& band = canvas.band();
+    for (int y = 0; y < band.size.y; ++y) {
+        const Pixel* from = canvas.at(band.origin.x, band.origin.y + y);
+        float* to = picture.pixel(0, band.origin.y - tile.origin.y + y);
+        for (int x = 0; x < band.size.x; ++x, to += 4) {
+            const Premultiplied mark = colourOf(from[x], rgb);
+            const float share = 1 - (marks.order == MarkOrder::underLayers ? to[3] : mark.rgba[3]);
+            for (int i = 0; i < 4; ++i)
+                to[i] =
+                    marks.order == MarkOrder::underLayers ? to[i] + share * mark.rgba[i] : mark.rgba[i] + share * to[i];
+        }
+    }
+}
+
+/// A band's dots of a group, the farthest first; equally far ones as they come.
+std::vector<DotSplat> farthestFirst(std::span<const MarkChunk> chunks, std::size_t band) {
+    std::vector<DotSplat> dots;
+    for (const MarkChunk& chunk : chunks)
+        dots.insert(dots.end(), chunk.dotsOf(band).begin(), chunk.dotsOf(band).end());
+    std::stable_sort(dots.begin(), dots.end(), [](const DotSplat& a, const DotSplat& b) { return a.depth < b.depth; });
+    return dots;
+}
+
+template <typename Pixel>
+class MarkLayer {
+  public:
+    MarkLayer(const Marks& marks, const MarkBins& bins, const Tile& tile, Picture& picture)
+        : marks_(marks), bins_(bins), tile_(tile), picture_(picture) {}
+
+    void lay() {
+        tbb::parallel_for(std::size_t{0}, bins_.bands, [&](std::size_t band) { layBand(band); });
+    }
+
+  private:
+    struct Space {
+        BandCanvas<Pixel> canvas;
+        StrokeCells cells;
+    };
+
+    [[nodiscard]] bool touched(std::size_t band) const {
+        return std::any_of(bins_.chunks.begin(), bins_.chunks.end(), [&](const MarkChunk& chunk) {
+            return !chunk.dotsOf(band).empty() || !chunk.strokesOf(band).empty();
+        });
+    }
+
+    void layBand(std::size_t band) {
+        if (!touched(band))
+            return;
+        Space& space = spaces_.local();
+        const int top = static_cast<int>(band) * MarkBins::kBandRows;
+        space.canvas.begin(
+            {tile_.origin + glm::ivec2(0, top), {tile_.size.x, std::min(MarkBins::kBandRows, tile_.size.y - top)}});
+        const std::span<const MarkChunk> all(bins_.chunks);
+        for (std::size_t from = 0; from < all.size();) {
+            std::size_t to = from + 1;
+            while (to < all.size() && all[to].group == all[from].group)
+                ++to;
+            layGroup(all.subspan(from, to - from), band, space);
+            from = to;
+        }
+        compose(space.canvas, marks_, bins_.rgb, tile_, picture_);
+    }
+
+    void layGroup(std::span<const MarkChunk> chunks, std::size_t band, Space& space) {
+        if (bins_.oneColour) {
+            for (const MarkChunk& chunk : chunks)
+                for (const DotSplat& dot : chunk.dotsOf(band))
+                    space.canvas.lay(dot);
+        } else {
+            for (const DotSplat& dot : farthestFirst(chunks, band))
+                space.canvas.lay(dot);
+        }
+        for (const MarkChunk& chunk : chunks)
+            for (const StrokeSplat& stroke : chunk.strokesOf(band))
+                space.canvas.lay(stroke, chunk.places, space.cells);
+    }
+
+    const Marks& marks_;
+    const MarkBins& bins_;
+    const Tile& tile_;
+    Picture& picture_;
+    tbb::enumerable_thread_specific<Space> spaces_;
+};
+
+} // namespace
+
+void layMarks(const Marks& marks, glm::ivec2 size, const Tile& tile, Picture& picture) {
+    if (marks.empty() || !(marks.paperMm.x > 0 && marks.paperMm.y > 0) || tile.size.x < 1 || tile.size.y < 1)
+        return;
+    const MarkBins bins = sortIntoBands(marks, size, tile);
+    if (bins.oneColour)
+        MarkLayer<InkPixel>(marks, bins, tile, picture).lay();
+    else
+        MarkLayer<ColourPixel>(marks, bins, tile, picture).lay();
+}
+
+} // namespace limner
