@@ -1,10 +1,34 @@
 #include "renderer/marks/draw_marks.h"
 
+#include "renderer/marks/curves.h"
 #include "renderer/marks/ink.h"
+#include "renderer/marks/inner_lines.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace limner {
+
+namespace {
+
+void append(Marks& marks, std::vector<MarkGroup> groups) {
+    std::move(groups.begin(), groups.end(), std::back_inserter(marks.groups));
+}
+
+/// Lines lie over dots: they hold a drawing together.
+void addLines(const MarkScene& scene, const PlanMarks& plan, Marks& marks, Task& task) {
+    const LineScene lines{scene.field, scene.view, scene.depth, scene.plain, scene.moving};
+    if (const auto& inner = scene.stipple.innerLines; inner && plan.innerLines) {
+        append(marks, drawInnerLines(lines, *plan.innerLines, *inner));
+    }
+    task.throwIfCancelled();
+    if (const auto& curves = scene.stipple.curves) {
+        append(marks, drawSilhouettes(lines, *curves));
+    }
+    task.throwIfCancelled();
+}
+
+} // namespace
 
 bool Marks::empty() const {
     return std::all_of(groups.begin(), groups.end(),
@@ -47,6 +71,7 @@ Marks drawMarks(const RenderPlan& plan, Task& task) {
             addDotsOnPaper(scene, marks, task);
         }
     }
+    addLines(scene, *plan.marks, marks, task);
     return marks;
 }
 

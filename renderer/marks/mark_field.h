@@ -70,9 +70,12 @@ double markScale(const RenderPlan& plan);
 /// Throws Error(cancelled).
 std::shared_ptr<const MarkField> computeMarkField(const RenderPlan& plan, double scale, Task& task);
 
+struct SurfaceLine; // renderer/marks/inner_lines.h
+
 /// A plan's marks: absent where the figure has none.
 struct PlanMarks {
     std::shared_ptr<const MarkField> field;
+    std::shared_ptr<const std::vector<SurfaceLine>> innerLines; ///< null: none are drawn
     bool moving = false;      ///< a drag: dots stay on the volume, lines are not joined
     bool layersDrawn = false; ///< the backend draws the layers too
 };

@@ -1,5 +1,7 @@
 #include "renderer/plan/plan_marks.h"
 
+#include "renderer/marks/inner_lines.h"
+
 namespace limner {
 
 namespace {
@@ -47,6 +49,14 @@ void MarkFields::add(RenderPlan& plan, const PlanRequest& request, Task& task) {
         task.beginPhase("Preparing marks");
         return computeMarkField(plan, key.zoom, task);
     });
+    if (const auto& inner = figure.stipple->innerLines) {
+        StippleInnerLines shape = *inner;
+        shape.widthMm = 0; // the pen's affair
+        marks->innerLines = innerLines_.get({marks->field, shape}, [&] {
+            task.throwIfCancelled();
+            return std::make_shared<const std::vector<SurfaceLine>>(traceInnerLines(*marks->field, *inner));
+        });
+    }
     marks->moving = request.moving;
     marks->layersDrawn = drawsLayers(figure) && !plan.layers.empty();
     plan.marks = marks;

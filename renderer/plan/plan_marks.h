@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace limner {
@@ -36,6 +37,9 @@ class MarkFields {
         friend bool operator==(const Key&, const Key&) = default;
     };
     RecentResults<Key, std::shared_ptr<const MarkField>> fields_{2};
+    RecentResults<std::pair<std::shared_ptr<const MarkField>, StippleInnerLines>,
+                  std::shared_ptr<const std::vector<SurfaceLine>>>
+        innerLines_{2};
 };
 
 } // namespace limner
