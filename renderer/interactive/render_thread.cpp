@@ -166,7 +166,7 @@ bool RenderThread::renderStage(const Numbered& job, const Coarseness& coarseness
                            coarseness.stepScale,
                            coarseness.subPixels,
                            true,
-                           job.view.draftsOnly,
+                           !last || job.view.draftsOnly,
                            std::nullopt};
     const std::shared_ptr<const RenderPlan> plan = plan_(*job.view.figure, wish, *planning);
     const Clock::time_point planned = Clock::now();

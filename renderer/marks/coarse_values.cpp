@@ -14,7 +14,7 @@ namespace limner {
 
 namespace {
 
-constexpr int kLogReach = 3; // cells: what a Gaussian of one cell has beyond is a thousandth
+constexpr int kLogReach = CoarseValues::kApron; // cells: what a Gaussian of one cell has beyond is a thousandth
 
 /// Weights of the Laplacian of Gaussian in a cube; their sum is 0 and their second moments along every axis are 2.
 struct LogKernel {
@@ -66,27 +66,27 @@ struct LogKernel {
 } // namespace
 
 CoarseValues::CoarseValues(const glm::ivec3& dims)
-    : dims_(dims),
-      values_(static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y) * static_cast<std::size_t>(dims.z)) {}
+    : dims_(dims), pitch_(dims + 2 * kApron),
+      values_(static_cast<std::size_t>(pitch_.x) * static_cast<std::size_t>(pitch_.y) *
+              static_cast<std::size_t>(pitch_.z)) {}
 
-std::size_t CoarseValues::index(const glm::ivec3& cell) const {
-    return (static_cast<std::size_t>(cell.z) * static_cast<std::size_t>(dims_.y) + static_cast<std::size_t>(cell.y)) *
-               static_cast<std::size_t>(dims_.x) +
-           static_cast<std::size_t>(cell.x);
-}
-
-float CoarseValues::at(int x, int y, int z) const {
-    return values_[index(glm::clamp(glm::ivec3(x, y, z), glm::ivec3(0), dims_ - 1))];
-}
-
-float CoarseValues::at(const glm::vec3& place) const {
-    const glm::vec3 inside = glm::clamp(place, glm::vec3(0), glm::vec3(dims_ - 1));
-    const glm::ivec3 c(inside);
-    const glm::vec3 f = inside - glm::vec3(c);
-    const auto alongX = [&](int dy, int dz) {
-        return glm::mix(at(c.x, c.y + dy, c.z + dz), at(c.x + 1, c.y + dy, c.z + dz), f.x);
-    };
-    return glm::mix(glm::mix(alongX(0, 0), alongX(1, 0), f.y), glm::mix(alongX(0, 1), alongX(1, 1), f.y), f.z);
+void CoarseValues::fillApron() {
+    const auto nearest = [&](int i, int axis) { return std::clamp(i, 0, dims_[axis] - 1); };
+    tbb::parallel_for(0, dims_.z, [&](int z) {
+        for (int y = 0; y < dims_.y; ++y) {
+            float* cells = row(y, z);
+            std::fill(cells - kApron, cells, cells[0]);
+            std::fill(cells + dims_.x, cells + dims_.x + kApron, cells[dims_.x - 1]);
+        }
+    });
+    tbb::parallel_for(-kApron, dims_.z + kApron, [&](int z) {
+        for (int y = -kApron; y < dims_.y + kApron; ++y) {
+            if (z != nearest(z, 2) || y != nearest(y, 1)) {
+                const float* from = row(nearest(y, 1), nearest(z, 2)) - kApron;
+                std::copy(from, from + pitch_.x, row(y, z) - kApron);
+            }
+        }
+    });
 }
 
 Grid coarseGrid(const Grid& grid, const glm::ivec3& n) {
@@ -136,19 +136,19 @@ CoarseValues boxFiltered(const Volume& volume, const glm::ivec3& n, Task& task) 
         }
     });
     task.throwIfCancelled();
+    coarse.fillApron();
     return coarse;
 }
 
 CellSlope neumannSlope(const CoarseValues& values, const glm::ivec3& c) {
     CellSlope slope;
+    const float* middle = values.place(c);
     for (int z = -1; z <= 1; ++z) {
         for (int y = -1; y <= 1; ++y) {
-            const float low = values.at(c.x - 1, c.y + y, c.z + z);
-            const float mid = values.at(c.x, c.y + y, c.z + z);
-            const float high = values.at(c.x + 1, c.y + y, c.z + z);
-            const float sum = low + mid + high;
+            const float* v = middle + z * values.sliceStep() + y * values.rowStep();
+            const float sum = v[-1] + v[0] + v[1];
             slope.value += sum;
-            slope.gradient += glm::vec3(high - low, static_cast<float>(y) * sum, static_cast<float>(z) * sum);
+            slope.gradient += glm::vec3(v[1] - v[-1], static_cast<float>(y) * sum, static_cast<float>(z) * sum);
         }
     }
     slope.value /= 27;
@@ -165,15 +165,17 @@ CellSlope centralSlope(const CoarseValues& values, const glm::ivec3& c) {
 
 float laplacianOfGaussian(const CoarseValues& values, const glm::ivec3& c) {
     static const LogKernel kernel;
-    double sum = 0;
-    std::size_t at = 0;
+    float sum = 0;
+    const float* weights = kernel.weights.data();
+    const float* middle = values.place(c);
     for (int z = -kLogReach; z <= kLogReach; ++z)
-        for (int y = -kLogReach; y <= kLogReach; ++y)
-            for (int x = -kLogReach; x <= kLogReach; ++x) {
-                sum += static_cast<double>(kernel.weights[at++]) *
-                       static_cast<double>(values.at(c.x + x, c.y + y, c.z + z));
+        for (int y = -kLogReach; y <= kLogReach; ++y) {
+            const float* v = middle + z * values.sliceStep() + y * values.rowStep() - kLogReach;
+            for (int x = 0; x < LogKernel::kEdge; ++x) {
+                sum += *weights++ * (v[x] - middle[0]); // the weights' sum is 0: nothing is lost on a high value
             }
-    return static_cast<float>(sum);
+        }
+    return sum;
 }
 
 } // namespace limner

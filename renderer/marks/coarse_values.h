@@ -14,21 +14,33 @@ namespace limner {
 /// Numbers on a grid, x fastest; outside the border repeats. Internal to marks.
 class CoarseValues {
   public:
+    static constexpr int kApron = 3; ///< cells around the grid that may be read
+
     CoarseValues() = default;
     explicit CoarseValues(const glm::ivec3& dims);
 
     [[nodiscard]] const glm::ivec3& dims() const { return dims_; }
     [[nodiscard]] float* row(int y, int z) { return values_.data() + index({0, y, z}); }
     [[nodiscard]] const float* row(int y, int z) const { return values_.data() + index({0, y, z}); }
-    [[nodiscard]] const std::vector<float>& values() const { return values_; }
-    /// Indices are clamped.
-    [[nodiscard]] float at(int x, int y, int z) const;
-    /// Trilinear.
-    [[nodiscard]] float at(const glm::vec3& place) const;
-    [[nodiscard]] std::size_t index(const glm::ivec3& cell) const;
+    /// A cell, or one of the apron's.
+    [[nodiscard]] float at(int x, int y, int z) const { return values_[index({x, y, z})]; }
+    /// Where a cell is; its neighbours are 1, `rowStep` and `sliceStep` away.
+    [[nodiscard]] const float* place(const glm::ivec3& cell) const { return values_.data() + index(cell); }
+    [[nodiscard]] std::ptrdiff_t rowStep() const { return pitch_.x; }
+    [[nodiscard]] std::ptrdiff_t sliceStep() const { return static_cast<std::ptrdiff_t>(pitch_.x) * pitch_.y; }
+    /// Copies the border into the apron, when all cells are written.
+    void fillApron();
 
   private:
+    [[nodiscard]] std::size_t index(const glm::ivec3& cell) const {
+        return (static_cast<std::size_t>(cell.z + kApron) * static_cast<std::size_t>(pitch_.y) +
+                static_cast<std::size_t>(cell.y + kApron)) *
+                   static_cast<std::size_t>(pitch_.x) +
+               static_cast<std::size_t>(cell.x + kApron);
+    }
+
     glm::ivec3 dims_{0};
+    glm::ivec3 pitch_{0}; ///< cells of a row, rows of a slice, slices, with the apron
     std::vector<float> values_;
 };
 

@@ -58,7 +58,11 @@ template <typename Use>
 void DotPattern::forEachIn(const glm::dvec2& low, const glm::dvec2& high, float end, const Use& use) const {
     constexpr int mask = kSquares - 1;
     static_assert((kSquares & mask) == 0 && kSquares * kSquareEdge == kSize);
-    const auto first = [](double x) { return static_cast<std::int64_t>(std::floor(x / kSquareEdge)); };
+    const auto first = [](double x) { // rounded down without a call
+        const double square = x * (1.0 / kSquareEdge);
+        const auto whole = static_cast<std::int64_t>(square);
+        return whole - (static_cast<double>(whole) > square ? 1 : 0);
+    };
     for (std::int64_t row = first(low.y); static_cast<double>(row * kSquareEdge) < high.y; ++row) {
         for (std::int64_t column = first(low.x); static_cast<double>(column * kSquareEdge) < high.x; ++column) {
             const auto square = static_cast<std::uint32_t>((row & mask) * kSquares + (column & mask));

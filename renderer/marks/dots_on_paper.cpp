@@ -120,7 +120,7 @@ class PaperTone {
         const MarkVoxel& voxel = field.voxels[i];
         const VoxelInk& ink = scene_.ink[i];
         const glm::dvec3 n(voxel.normalMm);
-        const glm::dmat3 step = field.grid.voxelToMmMatrix();
+        const glm::dmat3& step = field.stepMm;
         const glm::dvec3 along(glm::dot(n, step[0]), glm::dot(n, step[1]), glm::dot(n, step[2]));
         const glm::dvec3 size = glm::abs(along);
         const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;

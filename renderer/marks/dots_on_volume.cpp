@@ -38,7 +38,7 @@ class VolumeDots {
         const double densest = DotPattern::kMostDensity / static_cast<double>(kSmallestDot * kSmallestDot);
         capacity_ = field_.mmPerVoxel * field_.mmPerVoxel * scale * scale / dot * densest;
         edge_ = std::sqrt(capacity_);
-        const glm::dmat3 step = field_.grid.voxelToMmMatrix();
+        const glm::dmat3& step = field_.stepMm;
         for (int i = 0; i < 3; ++i) {
             stepMm_[i] = step[i];
         }
@@ -78,9 +78,10 @@ class VolumeDots {
         int across[2]{1, 2};
         glm::dvec2 cell{0};
         glm::dvec2 offset{0}; ///< of the plane's pattern
-        double rise[2]{};     ///< cells along `axis` per cell along `across`
         glm::dvec3 middleMm{0};
-        glm::dvec3 normalMm{0};
+        glm::dmat3 acrossMm{0}; ///< columns: a cell along each of `across` in the tangent plane, a mm of the normal
+        PlaceOnPaper middle;    ///< on paper
+        glm::mat3 paper{0};     ///< columns: what these steps change on paper (mm right, mm down, depth), parallel rays
     };
 
     [[nodiscard]] Frame frameOf(const MarkVoxel& voxel) const {
@@ -92,35 +93,47 @@ class VolumeDots {
         for (int i = 0, k = 0; i < 3; ++i) {
             if (i != frame.axis) {
                 frame.across[k] = i;
-                frame.rise[k++] = size[frame.axis] > 0 ? -along[i] / along[frame.axis] : 0;
+                const double rise = size[frame.axis] > 0 ? -along[i] / along[frame.axis] : 0;
+                frame.acrossMm[k++] = stepMm_[i] + rise * stepMm_[frame.axis];
             }
         }
+        frame.acrossMm[2] = n;
         frame.cell = {static_cast<double>(voxel.cell[frame.across[0]]),
                       static_cast<double>(voxel.cell[frame.across[1]])};
         // A body's front and back have patterns of their own: they may lie behind one another.
         const std::uint32_t plane = mixed(static_cast<std::uint32_t>(scene_.stipple.seed) * 0x9e3779b9U +
                                           static_cast<std::uint32_t>(2 * frame.axis + (along[frame.axis] > 0 ? 1 : 0)));
         frame.offset = glm::dvec2(plane & 0xffffU, plane >> 16) * (DotPattern::kSize / 65536.0);
-        frame.normalMm = n;
         // Onto the surface along the axis, so that the faces still fill the plane.
         frame.middleMm = field_.placeMm(voxel);
         if (size[frame.axis] > 0) {
             frame.middleMm += stepMm_[frame.axis] * (static_cast<double>(voxel.edgeOffsetMm) / along[frame.axis]);
         }
+        frame.middle = scene_.view.place(frame.middleMm);
+        if (scene_.view.linear()) {
+            const float scale = frame.middle.scale;
+            for (int k = 0; k < 3; ++k) {
+                frame.paper[k] = scene_.view.seen(glm::vec3(frame.acrossMm[k])) * glm::vec3(scale, -scale, 1);
+            }
+        }
         return frame;
+    }
+
+    static PlaceOnPaper placed(const Frame& frame, const glm::vec3& step) {
+        const glm::vec3 moved = frame.paper * step;
+        return {frame.middle.mm + glm::vec2(moved), frame.middle.depthMm + moved.z, frame.middle.scale};
     }
 
     void addDot(std::size_t i, const Frame& frame, const glm::dvec2& f, std::uint32_t number, float shown,
                 std::vector<Dot>& dots) const {
         const double jitter =
             static_cast<double>(mixed(number + static_cast<std::uint32_t>(scene_.stipple.seed))) * 0x1p-31 - 1;
-        const glm::dvec3 mm = frame.middleMm + f.x * stepMm_[frame.across[0]] + f.y * stepMm_[frame.across[1]] +
-                              (f.x * frame.rise[0] + f.y * frame.rise[1]) * stepMm_[frame.axis] +
-                              frame.normalMm * (jitter * scene_.stipple.spreadVoxels * field_.mmPerVoxel);
-        if (clipped_ && !scene_.view.kept(mm)) {
+        const glm::dvec3 step(f.x, f.y, jitter * scene_.stipple.spreadVoxels * field_.mmPerVoxel);
+        if (clipped_ && !scene_.view.kept(frame.middleMm + frame.acrossMm * step)) {
             return;
         }
-        const PlaceOnPaper at = scene_.view.place(mm);
+        const PlaceOnPaper at = scene_.view.linear() ? placed(frame, glm::vec3(step))
+                                                     : scene_.view.place(frame.middleMm + frame.acrossMm * step);
         float opacity = shown * scene_.depth.visible(at, scene_.ink[i].facing);
         if (!fading_) {
             opacity = opacity >= 0.5F ? 1.0F : 0.0F;

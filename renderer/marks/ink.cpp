@@ -203,12 +203,18 @@ MarkScene makeMarkScene(const RenderPlan& plan, const MarkField& field, bool mov
     const bool facingOnly = hides || stipple.lighting.has_value(); // paper 004, 5.5
     tbb::parallel_for(std::size_t{0}, field.voxels.size(), [&](std::size_t i) {
         const MarkVoxel& voxel = field.voxels[i];
-        const glm::dvec3 mm = field.placeMm(voxel);
         VoxelInk& ink = scene.ink[i];
-        ink.at = scene.view.place(mm);
+        if (!(voxel.part > 0)) {
+            return;
+        }
+        const glm::dvec3 mm = field.placeMm(voxel);
         const float cosine = glm::dot(voxel.normalMm, scene.view.towardsEye(mm));
+        if (facingOnly && cosine <= 0) {
+            return;
+        }
         ink.facing = std::abs(cosine);
-        if (!(ink.at.scale > 0) || (facingOnly && cosine <= 0) || !scene.view.kept(mm)) {
+        ink.at = scene.view.place(mm);
+        if (!(ink.at.scale > 0) || scene.depth.hidesVoxel(ink.at, ink.facing) || !scene.view.kept(mm)) {
             return;
         }
         // From nearer than all of the volume shows, dots keep their distance on paper; from farther the volume keeps

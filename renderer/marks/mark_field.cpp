@@ -21,20 +21,23 @@ namespace limner {
 
 namespace {
 
-/// Edge of a mark voxel on paper, in diameters of the largest dots: the paper's five pixels at dots of two.
-constexpr double kDotsPerVoxel = 2.5;
+/// Edge of a mark voxel on paper, in diameters of the largest dots. Moving: the paper's five pixels at dots of two.
+/// Still: its reason, a voxel's points are to make a pattern, is not ours, whose pattern runs through all voxels; edges
+/// are sharper and small things are there.
+constexpr double kDotsPerVoxelMoving = 2.5;
+constexpr double kDotsPerVoxelStill = 1.5;
 constexpr double kSmallestDotMm = 0.02; ///< what no press prints: finer voxels would serve nobody
 constexpr double kMostCells = 48e6;     ///< of the marks' grid: two numbers each are held while it is made
 constexpr double kFarthestZoom = 64;
 constexpr int kReach = 6; ///< cells to either side: a boundary that is thicker has marks all the way through
 
-/// Cells along the volume's axes, so that a mark voxel is about a cube of `edgeMm`.
-glm::ivec3 cellSize(const Grid& grid, double edgeMm) {
+/// Cells along the volume's axes, so that a mark voxel is about a cube of `edgeMm`, or short of that by `tolerance` of
+/// a voxel of the volume.
+glm::ivec3 cellSize(const Grid& grid, double edgeMm, double tolerance) {
     glm::ivec3 n(1);
     for (int i = 0; i < 3; ++i) {
-        // A quarter of a voxel short counts as the edge that was asked for.
         n[i] = static_cast<int>(
-            std::clamp(std::ceil(edgeMm / grid.spacingMm[i] - 0.25), 1.0, static_cast<double>(grid.dims[i])));
+            std::clamp(std::ceil(edgeMm / grid.spacingMm[i] - tolerance), 1.0, static_cast<double>(grid.dims[i])));
     }
     return n;
 }
@@ -54,9 +57,9 @@ double wholeViewScale(const RenderPlan& plan) {
 /// What is computed before single voxels are looked at.
 class FieldMaker {
   public:
-    FieldMaker(const RenderPlan& plan, double scale, Task& task)
+    FieldMaker(const RenderPlan& plan, const MarkDetail& detail, Task& task)
         : plan_(plan), stipple_(*plan.figure->stipple), task_(task), field_(std::make_shared<MarkField>()) {
-        chooseGrid(scale);
+        chooseGrid(detail);
     }
 
     std::shared_ptr<const MarkField> run() {
@@ -77,16 +80,19 @@ class FieldMaker {
     }
 
   private:
-    void chooseGrid(double scale) {
+    void chooseGrid(const MarkDetail& detail) {
         const Grid& grid = plan_.volume->grid();
-        double edge = kDotsPerVoxel * std::max(stipple_.sizeMm, kSmallestDotMm) / (wholeViewScale(plan_) * scale);
-        glm::ivec3 n = cellSize(grid, edge);
-        for (; cellsOf(grid, n) > kMostCells; n = cellSize(grid, edge)) {
+        double edge = (detail.moving ? kDotsPerVoxelMoving : kDotsPerVoxelStill) *
+                      std::max(stipple_.sizeMm, kSmallestDotMm) / (wholeViewScale(plan_) * detail.zoom);
+        const double tolerance = detail.moving ? 0.05 : 0.25;
+        glm::ivec3 n = cellSize(grid, edge, tolerance);
+        for (; cellsOf(grid, n) > kMostCells; n = cellSize(grid, edge, tolerance)) {
             edge = std::max(edge, grid.smallestSpacingMm()) * 1.25;
         }
         constexpr int most = std::numeric_limits<std::uint16_t>::max();
         field_->voxelsPerCell = n;
         field_->grid = coarseGrid(grid, n);
+        field_->stepMm = field_->grid.voxelToMmMatrix();
         if (glm::any(glm::greaterThan(field_->grid.dims, glm::ivec3(most)))) {
             throw Error(ErrorKind::badInput, {"the volume is too long for marks of ink", "/volume",
                                               "an axis has over 65535 voxels", "crop or resample it"});
@@ -94,7 +100,7 @@ class FieldMaker {
         const glm::dvec3 s = field_->grid.spacingMm;
         field_->mmPerVoxel = std::cbrt(s.x * s.y * s.z);
         field_->paperPerMm = wholeViewScale(plan_);
-        field_->zoom = scale;
+        field_->zoom = detail.zoom;
         mmFromIndex_ = glm::mat3(glm::transpose(glm::inverse(field_->grid.voxelToMmMatrix())));
     }
 
@@ -173,7 +179,15 @@ class FieldMaker {
             }
         });
         task_.throwIfCancelled();
-        std::vector<float> all = magnitudes_.values();
+        magnitudes_.fillApron();
+        std::vector<float> all;
+        all.reserve(static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y) *
+                    static_cast<std::size_t>(dims.z));
+        for (int z = 0; z < dims.z; ++z) {
+            for (int y = 0; y < dims.y; ++y) {
+                all.insert(all.end(), magnitudes_.row(y, z), magnitudes_.row(y, z) + dims.x);
+            }
+        }
         const auto place = all.begin() + static_cast<std::ptrdiff_t>(static_cast<double>(all.size() - 1) * 0.999);
         std::nth_element(all.begin(), place, all.end());
         // Where a thousandth of a large empty scan is all there is, the largest counts.
@@ -230,7 +244,9 @@ class FieldMaker {
         voxel.layer = matterAt(cell, slope.value).layer;
         const ValueRange range = plan_.volume->range();
         voxel.dataValue = static_cast<float>(range.low + static_cast<double>(slope.value) * (range.high - range.low));
-        voxel.edge = laplacianOfGaussian(values_, cell);
+        if (stipple_.curves) {
+            voxel.edge = laplacianOfGaussian(values_, cell);
+        }
         lookThroughSurface(voxel);
         if (!field_->curvatures.empty()) {
             field_->curvatures[i] = curvatureAt(cell, g);
@@ -283,7 +299,7 @@ class FieldMaker {
     [[nodiscard]] float cellsToEdge(const glm::ivec3& from, int axis) const {
         const auto magnitude = [&](int cells) {
             glm::ivec3 cell = from;
-            cell[axis] += cells;
+            cell[axis] = std::clamp(cell[axis] + cells, 0, values_.dims()[axis] - 1);
             return magnitudes_.at(cell.x, cell.y, cell.z);
         };
         int top = 0;
@@ -397,7 +413,7 @@ std::int64_t MarkField::find(const glm::ivec3& cell) const {
     return found != last && static_cast<int>(found->cell.x) == cell.x ? found - voxels.begin() : -1;
 }
 
-double markScale(const RenderPlan& plan) {
+double markZoom(const RenderPlan& plan) {
     const ViewFrame frame(plan.figure->camera, plan.figure->output.aspect());
     const double zoom = plan.figure->output.heightMm / frame.heightMm / wholeViewScale(plan);
     double scale = 1;
@@ -407,8 +423,8 @@ double markScale(const RenderPlan& plan) {
     return scale;
 }
 
-std::shared_ptr<const MarkField> computeMarkField(const RenderPlan& plan, double scale, Task& task) {
-    return FieldMaker(plan, scale, task).run();
+std::shared_ptr<const MarkField> computeMarkField(const RenderPlan& plan, const MarkDetail& detail, Task& task) {
+    return FieldMaker(plan, detail, task).run();
 }
 
 } // namespace limner

@@ -43,7 +43,8 @@ struct MarkCurvature {
 
 /// Immutable, thread-safe.
 struct MarkField {
-    Grid grid; ///< of the marks' voxels, in the same space as the volume's
+    Grid grid;            ///< of the marks' voxels, in the same space as the volume's
+    glm::dmat3 stepMm{1}; ///< columns: a cell along the grid's axes
     glm::ivec3 voxelsPerCell{1};
     std::vector<MarkVoxel> voxels; ///< x fastest
     /// Parallel to `voxels` where inner lines or hatching read them; else empty.
@@ -55,7 +56,10 @@ struct MarkField {
     std::vector<std::string> warnings;   ///< what was given up, one line each
 
     [[nodiscard]] std::size_t bytes() const;
-    [[nodiscard]] glm::dvec3 placeMm(const MarkVoxel& voxel) const { return grid.mmFromVoxel(glm::dvec3(voxel.cell)); }
+    [[nodiscard]] glm::dvec3 placeMm(const MarkVoxel& voxel) const {
+        const glm::dvec3 cell(voxel.cell);
+        return grid.originMm + cell.x * stepMm[0] + cell.y * stepMm[1] + cell.z * stepMm[2];
+    }
     /// Index of the mark voxel at a cell, or -1.
     [[nodiscard]] std::int64_t find(const glm::ivec3& cell) const;
 
@@ -64,11 +68,17 @@ struct MarkField {
 
 /// Factor on the scale of the view that just shows the whole volume, a power of two of at least 1: views from nearer
 /// have finer fields.
-double markScale(const RenderPlan& plan);
+double markZoom(const RenderPlan& plan);
+
+struct MarkDetail {
+    double zoom = 1;     ///< as `markZoom` gives it
+    bool moving = false; ///< coarser voxels, a fraction of the time
+    friend bool operator==(const MarkDetail&, const MarkDetail&) = default;
+};
 
 /// Computes the field for a plan whose layers are there. Some seconds for 256^3 at most; parallel, deterministic.
 /// Throws Error(cancelled).
-std::shared_ptr<const MarkField> computeMarkField(const RenderPlan& plan, double scale, Task& task);
+std::shared_ptr<const MarkField> computeMarkField(const RenderPlan& plan, const MarkDetail& detail, Task& task);
 
 struct SurfaceLine; // renderer/marks/inner_lines.h
 

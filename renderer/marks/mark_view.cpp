@@ -25,8 +25,11 @@ constexpr float kLeastPart = 0.1F; ///< of its surface: the skirts of one lie be
 constexpr float kDiscVoxels = 0.87F;
 /// A surface is some voxels thick; its marks do not hide one another.
 constexpr float kToleranceVoxels = 1.5F;
+/// Half the diagonal of a face in the tangent plane, and the way onto the surface.
+constexpr double kReachVoxels = 2.2;
 constexpr float kSlantTolerance = 0.4F;
 constexpr float kLeastFacing = 0.1F;
+constexpr float kFarCells = 32768; ///< more than the grid has; whole numbers up to here keep half a bit of a cell
 
 /// Floats as whole numbers in the same order, so that the nearest can be kept without a lock.
 std::uint32_t ordered(float depth) {
@@ -55,17 +58,19 @@ void keepLargest(std::uint32_t& cell, std::uint32_t value) {
 MarkView::MarkView(const RenderPlan& plan)
     : frame_(plan.figure->camera, plan.figure->output.aspect()),
       paperMm_(plan.figure->output.widthMm, plan.figure->output.heightMm), scale_(paperMm_.y / frame_.heightMm),
-      clip_(plan.clip) {}
+      perEyeDistance_(frame_.eyeDistanceMm > 0 ? 1 / frame_.eyeDistanceMm : 0), clip_(plan.clip) {}
 
 PlaceOnPaper MarkView::place(const glm::dvec3& pointMm) const {
-    const glm::dvec3 h = frame_.project(pointMm);
-    const double along = glm::dot(pointMm - frame_.targetMm, frame_.forward);
-    if (!(h.z > 0)) {
+    const glm::dvec3 d = pointMm - frame_.targetMm;
+    const double along = glm::dot(d, frame_.forward);
+    const double w = 1 + along * perEyeDistance_;
+    if (!(w > 0)) {
         return {{0, 0}, static_cast<float>(-along), 0};
     }
-    const double ratio = frame_.eyeDistanceMm > 0 ? frame_.eyeDistanceMm / (frame_.eyeDistanceMm + along) : 1;
-    return {glm::vec2(h.x / h.z * paperMm_.x, h.y / h.z * paperMm_.y), static_cast<float>(-along),
-            static_cast<float>(scale_ * ratio)};
+    const double scale = scale_ / w;
+    return {glm::vec2(0.5 * paperMm_.x + scale * glm::dot(d, frame_.right),
+                      0.5 * paperMm_.y - scale * glm::dot(d, frame_.up)),
+            static_cast<float>(-along), static_cast<float>(scale)};
 }
 
 glm::vec3 MarkView::towardsEye(const glm::dvec3& pointMm) const {
@@ -90,15 +95,20 @@ bool MarkView::kept(const glm::dvec3& p) const {
 }
 
 MarkDepth::MarkDepth(const MarkField& field, const MarkView& view, bool matterOfLayers)
-    : toleranceMm_(static_cast<float>(kToleranceVoxels * field.mmPerVoxel)) {
+    : toleranceMm_(static_cast<float>(kToleranceVoxels * field.mmPerVoxel)),
+      reachMm_(static_cast<float>(kReachVoxels * field.mmPerVoxel)) {
     const glm::dvec2 paper = view.paperMm();
     cellMm_ = std::max(0.5 * field.mmPerVoxel * view.scale(), std::sqrt(paper.x * paper.y / kMostDepthCells));
     size_ = glm::max(glm::ivec2(glm::ceil(paper / cellMm_)), glm::ivec2(1));
     std::vector<std::uint32_t> near(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y), kNothing);
     const float least = matterOfLayers ? kLeastOpacity : kLeastData;
+    // The back of matter hides nothing that its front does not.
+    const auto facesViewer = [&](const MarkVoxel& voxel) {
+        return glm::dot(voxel.normalMm, view.towardsEye(field.placeMm(voxel))) > 0;
+    };
     tbb::parallel_for(std::size_t{0}, field.voxels.size(), [&](std::size_t i) {
         const MarkVoxel& voxel = field.voxels[i];
-        if (voxel.value >= least && voxel.part >= kLeastPart) {
+        if (voxel.value >= least && voxel.part >= kLeastPart && facesViewer(voxel)) {
             addDisc(field, view, voxel, near);
         }
     });
@@ -140,19 +150,50 @@ void MarkDepth::addDisc(const MarkField& field, const MarkView& view, const Mark
     }
 }
 
+float MarkDepth::tolerance(float facing) const {
+    // On a surface seen edge-on a cell is as deep as it is slanted.
+    return toleranceMm_ * (1 + kSlantTolerance * (1 / std::max(facing, kLeastFacing) - 1));
+}
+
+bool MarkDepth::hidesVoxel(const PlaceOnPaper& middle, float facing) const {
+    if (nearest_.empty()) {
+        return false;
+    }
+    const auto cell = static_cast<float>(cellMm_);
+    const float reach = reachMm_ * middle.scale;
+    const glm::vec2 low = (middle.mm - reach) / cell - 0.5F;
+    const glm::vec2 high = (middle.mm + reach) / cell + 0.5F;
+    if (!(low.x >= 0 && low.y >= 0 && high.x < static_cast<float>(size_.x) && high.y < static_cast<float>(size_.y))) {
+        return false;
+    }
+    const float least = middle.depthMm + reachMm_ + 2 * tolerance(facing);
+    for (int y = static_cast<int>(low.y); y <= static_cast<int>(high.y); ++y) {
+        const float* row = nearest_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.x);
+        for (int x = static_cast<int>(low.x); x <= static_cast<int>(high.x); ++x) {
+            if (row[x] < least) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
 float MarkDepth::visible(const PlaceOnPaper& place, float facing) const {
     if (nearest_.empty()) {
         return 1;
     }
-    // Between four cells, so that a mark does not jump out of sight. On a surface seen edge-on a cell is as deep as it
-    // is slanted.
-    const float tolerance = toleranceMm_ * (1 + kSlantTolerance * (1 / std::max(facing, kLeastFacing) - 1));
+    // Between four cells, so that a mark does not jump out of sight.
+    const float tolerated = tolerance(facing);
     const glm::vec2 at = place.mm / static_cast<float>(cellMm_) - 0.5F;
-    const glm::vec2 low = glm::floor(at);
-    const glm::vec2 f = at - low;
+    // Far off the paper nothing is near; rounded down without a call.
+    if (!(std::abs(at.x) < kFarCells && std::abs(at.y) < kFarCells)) {
+        return 1;
+    }
+    const glm::ivec2 low = glm::ivec2(at + kFarCells) - static_cast<int>(kFarCells);
+    const glm::vec2 f = at - glm::vec2(low);
     float sum = 0;
     for (int k = 0; k < 4; ++k) {
-        const glm::ivec2 cell = glm::ivec2(low) + glm::ivec2(k & 1, k >> 1);
+        const glm::ivec2 cell = low + glm::ivec2(k & 1, k >> 1);
         const float weight = ((k & 1) != 0 ? f.x : 1 - f.x) * ((k >> 1) != 0 ? f.y : 1 - f.y);
         if (cell.x < 0 || cell.y < 0 || cell.x >= size_.x || cell.y >= size_.y) {
             sum += weight;
@@ -161,7 +202,7 @@ float MarkDepth::visible(const PlaceOnPaper& place, float facing) const {
         const float behind = nearest_[static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(size_.x) +
                                       static_cast<std::size_t>(cell.x)] -
                              place.depthMm;
-        const float t = std::clamp(behind / tolerance - 1, 0.0F, 1.0F);
+        const float t = std::clamp(behind / tolerated - 1, 0.0F, 1.0F);
         sum += weight * (1 - t * t * (3 - 2 * t));
     }
     return std::min(sum, 1.0F);

@@ -31,6 +31,8 @@ class MarkView {
     [[nodiscard]] const glm::dvec2& paperMm() const { return paperMm_; }
     /// mm on paper per mm of the volume in the target plane.
     [[nodiscard]] double scale() const { return scale_; }
+    /// Whether `place` is linear in its point.
+    [[nodiscard]] bool linear() const { return !(perEyeDistance_ > 0); }
     /// False for what the figure's clip cuts away.
     [[nodiscard]] bool kept(const glm::dvec3& pointMm) const;
 
@@ -38,6 +40,7 @@ class MarkView {
     ViewFrame frame_;
     glm::dvec2 paperMm_;
     double scale_;
+    double perEyeDistance_; ///< 0: parallel rays
     Clip clip_;
 };
 
@@ -52,10 +55,13 @@ class MarkDepth {
     /// 1 in front of all matter and on it, 0 some voxels behind; a smooth step between, so that a mark which goes
     /// behind something fades. `facing`: |n.e| of the surface that the mark lies on.
     [[nodiscard]] float visible(const PlaceOnPaper& place, float facing = 1) const;
+    /// Whether all marks of a voxel with its middle there are out of sight.
+    [[nodiscard]] bool hidesVoxel(const PlaceOnPaper& middle, float facing) const;
     /// False where all is visible.
     [[nodiscard]] bool hides() const { return !nearest_.empty(); }
 
   private:
+    [[nodiscard]] float tolerance(float facing) const;
     void addDisc(const MarkField& field, const MarkView& view, const MarkVoxel& voxel,
                  std::vector<std::uint32_t>& near);
 
@@ -63,6 +69,7 @@ class MarkDepth {
     glm::ivec2 size_{0};
     std::vector<float> nearest_; ///< depth, empty: nothing hides
     float toleranceMm_ = 1;      ///< of the volume
+    float reachMm_ = 1;          ///< of a voxel's marks from its middle
 };
 
 } // namespace limner

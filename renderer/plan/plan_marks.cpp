@@ -13,8 +13,10 @@ Stipple fieldSettings(const Stipple& stipple) {
     kept.sizeMm = stipple.sizeMm;
     kept.matter = stipple.matter;
     kept.gradient = stipple.gradient;
-    if (stipple.curves || stipple.innerLines || stipple.hatching) {
-        kept.hatching.emplace(); // the surface's curvature
+    if (stipple.curves) {
+        kept.curves.emplace(); // the Laplacian and the surface's curvature
+    } else if (stipple.innerLines || stipple.hatching) {
+        kept.hatching.emplace(); // its curvature
     }
     return kept;
 }
@@ -37,7 +39,7 @@ void MarkFields::add(RenderPlan& plan, const PlanRequest& request, Task& task) {
             {},
             {},
             {figure.output.widthMm, figure.output.heightMm},
-            markScale(plan),
+            {markZoom(plan), request.moving},
             fieldSettings(*figure.stipple)};
     if (figure.stipple->matter == "layers") {
         key.labels = plan.labels;
@@ -47,7 +49,7 @@ void MarkFields::add(RenderPlan& plan, const PlanRequest& request, Task& task) {
     auto marks = std::make_shared<PlanMarks>();
     marks->field = fields_.get(key, [&] {
         task.beginPhase("Preparing marks");
-        return computeMarkField(plan, key.zoom, task);
+        return computeMarkField(plan, key.detail, task);
     });
     if (const auto& inner = figure.stipple->innerLines) {
         StippleInnerLines shape = *inner;

@@ -32,11 +32,11 @@ class MarkFields {
         std::vector<Layer> layers;
         Clip clip;
         glm::dvec2 paperMm{0};
-        double zoom = 1;
+        MarkDetail detail;
         Stipple settings; ///< without what the field does not read
         friend bool operator==(const Key&, const Key&) = default;
     };
-    RecentResults<Key, std::shared_ptr<const MarkField>> fields_{2};
+    RecentResults<Key, std::shared_ptr<const MarkField>> fields_{4}; ///< still and moving, and what was before
     RecentResults<std::pair<std::shared_ptr<const MarkField>, StippleInnerLines>,
                   std::shared_ptr<const std::vector<SurfaceLine>>>
         innerLines_{2};

@@ -79,6 +79,7 @@ inline MarkField fieldOf(const Shape& shape, int dims, double voxelMm) {
     field.grid.dims = glm::ivec3(dims);
     field.grid.spacingMm = glm::dvec3(voxelMm);
     field.grid.originMm = glm::dvec3(-0.5 * (dims - 1) * voxelMm) + voxelMm * glm::dvec3(0.13, 0.29, 0.41);
+    field.stepMm = field.grid.voxelToMmMatrix();
     field.mmPerVoxel = voxelMm;
     field.layerNames = {""};
     field.rowStart = {0};
