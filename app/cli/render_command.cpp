@@ -72,7 +72,10 @@ void RenderCommand::declare(CLI::App& app) {
 }
 
 void RenderCommand::declarePicture(CLI::App& app) {
-    app.add_option("-o,--output", out_, "The picture; its ending picks the format: png, tif, exr, jpg or webp")
+    app.add_option(
+           "-o,--output", out_,
+           "The picture; its ending picks the format: png, tif, exr, jpg or webp; svg or pdf draws marks of ink as "
+           "circles and paths")
         ->required()
         ->option_text("FILE");
     app.add_option("--depth", depth_, "Numbers in the file: 8, 16 (half in exr) or float [8; float in exr]")
@@ -147,6 +150,7 @@ void RenderCommand::report(Console& console, const ExportFacts& facts, const std
                      {"shaded", facts.shaded},
                      {"dots", facts.dots},
                      {"strokes", facts.strokes},
+                     {"layers_embedded", facts.layersEmbedded},
                      {"non_finite_pixels", facts.notFinite},
                      {"file_bytes", fileBytes},
                      {"peak_bytes", peakResidentBytes()},

@@ -4,15 +4,16 @@
 #include "core/base/pending_file.h"
 #include "renderer/export/backdrop.h"
 #include "renderer/export/bands.h"
+#include "renderer/export/memory_stream.h"
 #include "renderer/export/picture_writer.h"
 #include "renderer/export/pixel_rows.h"
+#include "renderer/export/vector_file.h"
 #include "renderer/marks/marked_picture.h"
 
 #include <algorithm>
 #include <cassert>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <future>
 #include <memory>
 
@@ -135,34 +136,6 @@ void warnOfNotFinite(const ExportFacts& facts, Task& task) {
     }
 }
 
-/// A stream that grows in memory.
-class MemoryStream {
-  public:
-    MemoryStream() : stream_(::open_memstream(&bytes_, &size_)) {
-        if (stream_ == nullptr) {
-            throw Error(ErrorKind::noResources, {"not enough memory for a picture", "", "", "close other programs"});
-        }
-    }
-    ~MemoryStream() {
-        std::fclose(stream_);
-        std::free(bytes_);
-    }
-    MemoryStream(const MemoryStream&) = delete;
-    MemoryStream& operator=(const MemoryStream&) = delete;
-
-    [[nodiscard]] std::FILE* stream() const { return stream_; }
-    [[nodiscard]] std::vector<std::byte> bytes() const {
-        std::fflush(stream_);
-        const auto* first = reinterpret_cast<const std::byte*>(bytes_);
-        return {first, first + size_};
-    }
-
-  private:
-    char* bytes_ = nullptr;
-    std::size_t size_ = 0;
-    std::FILE* stream_;
-};
-
 } // namespace
 
 PictureOptions pictureOptions(const Figure& figure) {
@@ -177,7 +150,11 @@ PictureOptions pictureOptions(const Figure& figure) {
 }
 
 void checkExport(const std::filesystem::path& path, glm::ivec2 size, const PictureOptions& options) {
-    const PictureFormat format = pictureFormatOf(path);
+    const bool vector = vectorFormatOf(path).has_value();
+    if (vector)
+        checkVectorOptions(path, options);
+    // What a vector file embeds is a PNG's pixels.
+    const PictureFormat format = vector ? PictureFormat::png : pictureFormatOf(path);
     const PixelLayout layout = pixelLayout(format, options);
     if (!(options.dpi >= kLowestDpi && options.dpi <= kHighestDpi)) {
         throw Error(ErrorKind::usage, {"cannot write the picture", path.string(), "the resolution makes no sense",
@@ -190,12 +167,10 @@ void checkExport(const std::filesystem::path& path, glm::ivec2 size, const Pictu
     checkFolder(path);
 }
 
-ExportFacts exportPicture(const RenderPlan& plan, const Backend& backend, const std::filesystem::path& path,
-                          const PictureOptions& options, Task& task) {
-    const auto start = std::chrono::steady_clock::now();
-    checkSize(pictureFormatOf(path), plan.size, path.string()); // a size of 0 is checked here too
-    checkExport(path, plan.size, options);
-    task.throwIfCancelled();
+namespace {
+
+ExportFacts writePictureFile(const RenderPlan& plan, const Backend& backend, const std::filesystem::path& path,
+                             const PictureOptions& options, Task& task) {
     PictureHeader header;
     header.format = pictureFormatOf(path);
     header.layout = pixelLayout(header.format, options);
@@ -225,6 +200,20 @@ ExportFacts exportPicture(const RenderPlan& plan, const Backend& backend, const 
     }
     task.throwIfCancelled();
     file.commit();
+    return facts;
+}
+
+} // namespace
+
+ExportFacts exportPicture(const RenderPlan& plan, const Backend& backend, const std::filesystem::path& path,
+                          const PictureOptions& options, Task& task) {
+    const auto start = std::chrono::steady_clock::now();
+    const bool vector = vectorFormatOf(path).has_value();
+    checkSize(vector ? PictureFormat::png : pictureFormatOf(path), plan.size, path.string()); // 0 is checked here too
+    checkExport(path, plan.size, options);
+    task.throwIfCancelled();
+    ExportFacts facts = vector ? writeVectorFile(plan, backend, path, options, task)
+                               : writePictureFile(plan, backend, path, options, task);
     warnOfNotFinite(facts, task);
     facts.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return facts;
@@ -256,7 +245,7 @@ std::vector<std::byte> encodePng(const Picture& picture, const PictureOptions& o
     PictureWriter writer(header, memory.stream());
     writer.writeRows(rows, header.size.y);
     writer.finish();
-    return memory.bytes();
+    return {memory.bytes().begin(), memory.bytes().end()};
 }
 
 std::vector<std::byte> renderPng(const RenderPlan& plan, const Backend& backend, const PictureOptions& options,

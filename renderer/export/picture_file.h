@@ -36,6 +36,7 @@ struct ExportFacts {
     double seconds = 0;
     std::uint64_t dots = 0; ///< marks of ink
     std::uint64_t strokes = 0;
+    bool layersEmbedded = false; ///< as a picture inside a vector file
     std::uint64_t notFinite = 0; ///< pixels that were NaN or infinite: written as empty, and warned of
 };
 
@@ -44,10 +45,10 @@ struct ExportFacts {
 void checkExport(const std::filesystem::path& path, glm::ivec2 size, const PictureOptions& options);
 
 /// Renders the plan's whole picture tile by tile and streams it into a file whose ending picks the format (png, tif,
-/// tiff, exr, jpg, jpeg, webp), with dpi and an sRGB profile (EXR: linear, scene-referred floats). Memory stays within
-/// the budget for any size in the formats that can be written by scan line or tile. The file is written beside its
-/// final name and renamed at the end: a failure or a cancellation leaves no partial file.
-/// Alpha is not premultiplied in PNG, TIFF and WebP, premultiplied in EXR. Throws Error.
+/// tiff, exr, jpg, jpeg, webp), with dpi and an sRGB profile (EXR: linear, scene-referred floats); svg and pdf are
+/// drawn instead (vector_file.h). Memory stays within the budget for any size in the formats that can be written by
+/// scan line or tile. The file is written beside its final name and renamed at the end: a failure or a cancellation
+/// leaves no partial file. Alpha is not premultiplied in PNG, TIFF and WebP, premultiplied in EXR. Throws Error.
 ExportFacts exportPicture(const RenderPlan& plan, const Backend& backend, const std::filesystem::path& path,
                           const PictureOptions& options, Task& task);
 

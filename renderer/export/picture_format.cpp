@@ -55,8 +55,8 @@ PictureFormat pictureFormatOf(const std::filesystem::path& path) {
     }
     const std::string why = ending.empty() ? "the name has no ending to tell the format from"
                                            : "this version writes no \"" + ending.substr(1) + "\" files";
-    throw Error(ErrorKind::usage,
-                {"cannot choose a picture format", path.string(), why, "use png, tif, exr, jpg or webp"});
+    throw Error(ErrorKind::usage, {"cannot choose a picture format", path.string(), why,
+                                   "use png, tif, exr, jpg or webp, or svg or pdf for a drawing"});
 }
 
 PixelLayout pixelLayout(PictureFormat format, const PictureOptions& options) {

@@ -47,7 +47,7 @@ RULES = {
     "renderer/accuracy": (("core", "renderer"), {"glm"}, {"tbb", "json", "files"}),
     "renderer/cpu": (("core", "renderer"), {"glm", "hwy"}, {"tbb"}),
     "renderer/gl": (("core", "renderer"), {"glm"}, {"gl", "tbb"}),
-    "renderer/export": (("core", "renderer"), {"glm"}, {"tbb", "oiio", "lcms", "qt", "system", "files"}),
+    "renderer/export": (("core", "renderer"), {"glm"}, {"tbb", "oiio", "lcms", "qt", "zlib", "system", "files"}),
     "renderer/distributed": (("core", "renderer"), {"glm"}, {"tbb", "mpi", "system"}),
     "widgets": (
         ("core", "widgets", "renderer/*.h", "renderer/plan/*.h", "renderer/export/*.h", "renderer/interactive/*.h"),
