@@ -29,7 +29,7 @@ constexpr double kDotsPerVoxelStill = 1.5;
 constexpr double kSmallestDotMm = 0.02; ///< what no press prints: finer voxels would serve nobody
 constexpr double kMostCells = 48e6;     ///< of the marks' grid: two numbers each are held while it is made
 constexpr double kFarthestZoom = 64;
-constexpr int kReach = 6; ///< cells to either side: a boundary that is thicker has marks all the way through
+constexpr int kReach = 10; ///< cells to either side: a boundary that is thicker has marks all the way through
 
 /// Cells along the volume's axes, so that a mark voxel is about a cube of `edgeMm`, or short of that by `tolerance` of
 /// a voxel of the volume.

@@ -4,6 +4,7 @@
 #include "core/volume/phantom.h"
 #include "renderer/backend.h"
 #include "renderer/export/picture_file.h"
+#include "renderer/marks/marked_picture.h"
 #include "renderer/plan/planner.h"
 #include "support/test_data.h"
 
@@ -82,7 +83,8 @@ std::vector<float> draw(const Figure& figure) {
     PlanRequest request;
     request.size = {kPixels, kPixels};
     const auto plan = planner.plan(figure, request, task);
-    const Picture picture = makeCpuBackend()->render(*plan, {{0, 0}, request.size}, task).picture;
+    const auto backend = makeCpuBackend();
+    const Picture picture = MarkedPicture(*plan, *backend, task).render({{0, 0}, request.size}, task).picture;
     std::vector<float> rgb;
     const std::vector<std::uint8_t> rgba = toRgba8(picture, pictureOptions(figure));
     for (std::size_t i = 0; i < rgba.size(); ++i) {
