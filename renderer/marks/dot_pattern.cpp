@@ -2,6 +2,8 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
+#include <iterator>
 #include <numeric>
 
 namespace limner {
@@ -192,24 +194,37 @@ DotPattern::DotPattern() {
         random[i] = {unitHash(2 * i + 1) * kSize, unitHash(2 * i + 2) * kSize};
     }
     const std::vector<std::uint32_t> order = progressiveOrder(random);
-    const auto squareAlong = [](double x) { return std::min(static_cast<int>(x / kSquareEdge), kSquares - 1); };
-    const auto squareOf = [&](std::uint32_t i) {
-        return static_cast<std::size_t>(squareAlong(random[i].y) * kSquares + squareAlong(random[i].x));
-    };
-    squareStart_.assign(static_cast<std::size_t>(kSquares) * kSquares + 1, 0);
-    for (const std::uint32_t i : order) {
-        ++squareStart_[squareOf(i) + 1];
-    }
-    std::partial_sum(squareStart_.begin(), squareStart_.end(), squareStart_.begin());
-    points_.resize(order.size());
-    std::vector<std::uint32_t> next(squareStart_.begin(), squareStart_.end() - 1);
-    const auto inSquare = [&](double x) { return static_cast<float>(x - squareAlong(x) * kSquareEdge); };
-    for (std::size_t rank = 0; rank < order.size(); ++rank) {
-        const glm::dvec2 p = random[order[rank]];
-        points_[next[squareOf(order[rank])]++] = {inSquare(p.x), inSquare(p.y),
-                                                  static_cast<float>(rank) / static_cast<float>(kCount)};
+    std::vector<glm::dvec2> inOrder(order.size());
+    std::transform(order.begin(), order.end(), inOrder.begin(), [&](std::uint32_t i) { return random[i]; });
+    for (std::size_t i = 0; i < std::size(kEdges); ++i) {
+        squares_[i] = inSquares(kEdges[i], inOrder);
     }
     measureCoverage();
+}
+
+DotPattern::Squares DotPattern::inSquares(int edge, const std::vector<glm::dvec2>& inOrder) {
+    const int perRow = kSize / edge;
+    const auto along = [&](double x) { return std::min(static_cast<int>(x / edge), perRow - 1); };
+    const auto squareOf = [&](const glm::dvec2& p) {
+        return static_cast<std::size_t>(along(p.y) * perRow + along(p.x));
+    };
+    Squares squares;
+    squares.edge = edge;
+    squares.start.assign(static_cast<std::size_t>(perRow) * static_cast<std::size_t>(perRow) + 1, 0);
+    for (const glm::dvec2& p : inOrder) {
+        ++squares.start[squareOf(p) + 1];
+    }
+    std::partial_sum(squares.start.begin(), squares.start.end(), squares.start.begin());
+    squares.points.resize(inOrder.size());
+    std::vector<std::uint32_t> next(squares.start.begin(), squares.start.end() - 1);
+    for (std::size_t rank = 0; rank < inOrder.size(); ++rank) {
+        const glm::dvec2 p = inOrder[rank];
+        squares.points[next[squareOf(p)]++] = {static_cast<float>(p.x - along(p.x) * edge),
+                                               static_cast<float>(p.y - along(p.y) * edge),
+                                               static_cast<float>(rank) / static_cast<float>(kCount),
+                                               static_cast<std::uint32_t>(unitHash(~rank) * 0x1p32)};
+    }
+    return squares;
 }
 
 void DotPattern::measureCoverage() {

@@ -24,11 +24,12 @@ class DotPattern {
     struct Point {
         float x; ///< in its square
         float y;
-        float rank; ///< place in the order over kCount, in [0, 1)
+        float rank;           ///< place in the order over kCount, in [0, 1)
+        std::uint32_t number; ///< 32 random bits of its own
     };
 
-    /// Calls `use(place, rank, number)` for the points of [low, high) of the plane whose rank is below `end`, unit
-    /// square by unit square; `place` in the plane's own coordinates, `number` of the point in the tile.
+    /// Calls `use(place, rank, number)` for the points of [low, high) of the plane whose rank is below `end`, square by
+    /// square; `place` in the plane's own coordinates.
     template <typename Use>
     void forEachIn(const glm::dvec2& low, const glm::dvec2& high, float end, const Use& use) const;
 
@@ -41,14 +42,26 @@ class DotPattern {
     static constexpr double kMostDensity = 3; ///< covers all but some thousandths
 
   private:
-    static constexpr int kSquareEdge = 4; ///< of the squares that points are found by
-    static constexpr int kSquares = kSize / kSquareEdge;
+    /// The points, found by squares: square by square, rows first, each square's by rank.
+    struct Squares {
+        int edge = 4;
+        std::vector<Point> points;
+        std::vector<std::uint32_t> start; ///< first point of each square, one more at the end
+    };
+    static constexpr int kEdges[] = {4, 16, 64}; ///< few points are found sooner in large squares
 
+    static Squares inSquares(int edge, const std::vector<glm::dvec2>& inOrder);
     void measureCoverage();
 
-    std::vector<Point> points_;              ///< square by square, rows first, each by rank
-    std::vector<std::uint32_t> squareStart_; ///< first point of each, one more at the end
-    std::vector<float> coverage_;            ///< over densities from 0 to kMostDensity
+    [[nodiscard]] const Squares& squaresFor(float end) const {
+        // Two points to a square, so that neither squares nor points are looked at in vain.
+        return squares_[end > 2.0F / (kEdges[1] * kEdges[1]) * 4   ? 0
+                        : end > 2.0F / (kEdges[2] * kEdges[2]) * 4 ? 1
+                                                                   : 2];
+    }
+
+    Squares squares_[3];
+    std::vector<float> coverage_; ///< over densities from 0 to kMostDensity
 };
 
 /// The pattern that figures are drawn with; made on first use, from any thread.
@@ -56,25 +69,28 @@ const DotPattern& dotPattern();
 
 template <typename Use>
 void DotPattern::forEachIn(const glm::dvec2& low, const glm::dvec2& high, float end, const Use& use) const {
-    constexpr int mask = kSquares - 1;
-    static_assert((kSquares & mask) == 0 && kSquares * kSquareEdge == kSize);
-    const auto first = [](double x) { // rounded down without a call
-        const double square = x * (1.0 / kSquareEdge);
+    const Squares& squares = squaresFor(end);
+    const int edge = squares.edge;
+    const int perRow = kSize / edge;
+    const int mask = perRow - 1;
+    const double perEdge = 1.0 / edge;
+    const auto first = [&](double x) { // rounded down without a call
+        const double square = x * perEdge;
         const auto whole = static_cast<std::int64_t>(square);
         return whole - (static_cast<double>(whole) > square ? 1 : 0);
     };
-    for (std::int64_t row = first(low.y); static_cast<double>(row * kSquareEdge) < high.y; ++row) {
-        for (std::int64_t column = first(low.x); static_cast<double>(column * kSquareEdge) < high.x; ++column) {
-            const auto square = static_cast<std::uint32_t>((row & mask) * kSquares + (column & mask));
-            const glm::dvec2 origin(static_cast<double>(column * kSquareEdge), static_cast<double>(row * kSquareEdge));
-            for (std::uint32_t i = squareStart_[square]; i < squareStart_[square + 1]; ++i) {
-                const Point& point = points_[i];
+    for (std::int64_t row = first(low.y); static_cast<double>(row * edge) < high.y; ++row) {
+        for (std::int64_t column = first(low.x); static_cast<double>(column * edge) < high.x; ++column) {
+            const auto square = static_cast<std::size_t>((row & mask) * perRow + (column & mask));
+            const glm::dvec2 origin(static_cast<double>(column * edge), static_cast<double>(row * edge));
+            for (std::uint32_t i = squares.start[square]; i < squares.start[square + 1]; ++i) {
+                const Point& point = squares.points[i];
                 if (point.rank >= end) {
                     break; // a square's points are in their order
                 }
                 const glm::dvec2 place(origin.x + point.x, origin.y + point.y);
                 if (place.x >= low.x && place.x < high.x && place.y >= low.y && place.y < high.y) {
-                    use(place, point.rank, i);
+                    use(place, point.rank, point.number);
                 }
             }
         }

@@ -12,7 +12,7 @@ namespace limner {
 
 namespace {
 
-constexpr std::size_t kChunk = 4096; ///< voxels that one task draws
+constexpr std::size_t kChunk = 16384; ///< voxels that one task draws
 /// A drawing is of dots, not of greys: most of them are whole.
 constexpr float kFadingPart = 0.3F;
 /// |n.e| at which a dot on the edge of a form is whole: none comes or goes all at once as the form turns.
@@ -60,7 +60,7 @@ class VolumeDots {
         const glm::dvec2 low(frame.cell.x * edge_ + frame.offset.x, frame.cell.y * edge_ + frame.offset.y);
         dotPattern().forEachIn(
             low, low + edge_, end + 0.5F * fade, [&](const glm::dvec2& place, float rank, std::uint32_t number) {
-                const float part = static_cast<float>(mixed(number) >> 8) * 0x1p-24F;
+                const float part = static_cast<float>(number & 0xffffU) * 0x1p-16F;
                 if (part < voxel.partStart || part >= voxel.partStart + voxel.part) {
                     return;
                 }
@@ -126,8 +126,7 @@ class VolumeDots {
 
     void addDot(std::size_t i, const Frame& frame, const glm::dvec2& f, std::uint32_t number, float shown,
                 std::vector<Dot>& dots) const {
-        const double jitter =
-            static_cast<double>(mixed(number + static_cast<std::uint32_t>(scene_.stipple.seed))) * 0x1p-31 - 1;
+        const double jitter = static_cast<double>(number >> 16) * 0x1p-15 - 1;
         const glm::dvec3 step(f.x, f.y, jitter * scene_.stipple.spreadVoxels * field_.mmPerVoxel);
         if (clipped_ && !scene_.view.kept(frame.middleMm + frame.acrossMm * step)) {
             return;
@@ -161,25 +160,32 @@ void addDotsOnVolume(const MarkScene& scene, Marks& marks, Task& task) {
     std::vector<std::vector<Dot>> dots(chunks * layers);
     tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t chunk) {
         const std::size_t last = std::min((chunk + 1) * kChunk, scene.field.voxels.size());
+        if (layers == 1) {
+            float expected = 0;
+            for (std::size_t i = chunk * kChunk; i < last; ++i) {
+                expected += scene.ink[i].dots;
+            }
+            dots[chunk].reserve(static_cast<std::size_t>(1.2F * expected) + 64);
+        }
         for (std::size_t i = chunk * kChunk; i < last && !task.cancelled(); ++i) {
             volume.add(i, dots[chunk * layers + scene.field.voxels[i].layer]);
         }
     });
     task.throwIfCancelled();
     for (std::size_t layer = 0; layer < layers; ++layer) {
-        MarkGroup group;
-        group.name = scene.groupName("Stipples", layer);
-        std::size_t count = 0;
+        const std::string name = scene.groupName("Stipples", layer);
+        MarkGroup whole;
+        whole.name = name;
         for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
-            count += dots[chunk * layers + layer].size();
+            std::vector<Dot>& part = dots[chunk * layers + layer];
+            if (scene.moving && !part.empty()) {
+                marks.groups.push_back({name, std::move(part), {}, {}}); // nobody counts groups: no copy
+            } else {
+                whole.dots.insert(whole.dots.end(), part.begin(), part.end());
+            }
         }
-        group.dots.reserve(count);
-        for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
-            const auto& part = dots[chunk * layers + layer];
-            group.dots.insert(group.dots.end(), part.begin(), part.end());
-        }
-        if (!group.dots.empty()) {
-            marks.groups.push_back(std::move(group));
+        if (!whole.dots.empty()) {
+            marks.groups.push_back(std::move(whole));
         }
     }
 }
