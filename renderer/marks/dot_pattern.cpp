@@ -240,8 +240,9 @@ void DotPattern::measureCoverage() {
         for (int column = 0; column < perEdge; ++column) {
             const glm::dvec2 here((column + 0.5) * step, (row + 0.5) * step);
             double nearest = reach * reach;
-            forEachIn(here - reach, here + reach, part, [&](const glm::dvec2& p, float, std::uint32_t) {
-                nearest = std::min(nearest, (p.x - here.x) * (p.x - here.x) + (p.y - here.y) * (p.y - here.y));
+            forEachIn(here - reach, here + reach, part, [&](const glm::vec2& p, float, std::uint32_t) {
+                const glm::dvec2 d = glm::dvec2(p) - reach;
+                nearest = std::min(nearest, d.x * d.x + d.y * d.y);
             });
             const double density = part * kPi * nearest; // of dots that just reach here
             ++counts[static_cast<std::size_t>(row)][static_cast<std::size_t>(

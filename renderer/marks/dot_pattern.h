@@ -29,7 +29,7 @@ class DotPattern {
     };
 
     /// Calls `use(place, rank, number)` for the points of [low, high) of the plane whose rank is below `end`, square by
-    /// square; `place` in the plane's own coordinates.
+    /// square; `place` (float) counts from `low`.
     template <typename Use>
     void forEachIn(const glm::dvec2& low, const glm::dvec2& high, float end, const Use& use) const;
 
@@ -73,6 +73,7 @@ void DotPattern::forEachIn(const glm::dvec2& low, const glm::dvec2& high, float 
     const int edge = squares.edge;
     const int perRow = kSize / edge;
     const int mask = perRow - 1;
+    const glm::vec2 size(high - low);
     const double perEdge = 1.0 / edge;
     const auto first = [&](double x) { // rounded down without a call
         const double square = x * perEdge;
@@ -82,14 +83,14 @@ void DotPattern::forEachIn(const glm::dvec2& low, const glm::dvec2& high, float 
     for (std::int64_t row = first(low.y); static_cast<double>(row * edge) < high.y; ++row) {
         for (std::int64_t column = first(low.x); static_cast<double>(column * edge) < high.x; ++column) {
             const auto square = static_cast<std::size_t>((row & mask) * perRow + (column & mask));
-            const glm::dvec2 origin(static_cast<double>(column * edge), static_cast<double>(row * edge));
+            const glm::vec2 origin(static_cast<double>(column * edge) - low.x, static_cast<double>(row * edge) - low.y);
             for (std::uint32_t i = squares.start[square]; i < squares.start[square + 1]; ++i) {
                 const Point& point = squares.points[i];
                 if (point.rank >= end) {
                     break; // a square's points are in their order
                 }
-                const glm::dvec2 place(origin.x + point.x, origin.y + point.y);
-                if (place.x >= low.x && place.x < high.x && place.y >= low.y && place.y < high.y) {
+                const glm::vec2 place(origin.x + point.x, origin.y + point.y);
+                if (place.x >= 0 && place.x < size.x && place.y >= 0 && place.y < size.y) {
                     use(place, point.rank, point.number);
                 }
             }

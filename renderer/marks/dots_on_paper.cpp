@@ -224,8 +224,8 @@ void addDotsOnPaper(const MarkScene& scene, Marks& marks, Task& task) {
         const double top = static_cast<double>(row) * kBandRows;
         const glm::dvec2 low(offset.x, offset.y + top);
         const glm::dvec2 high(offset.x + end.x, offset.y + std::min(top + kBandRows, end.y));
-        pattern.forEachIn(low, high, 1, [&](const glm::dvec2& place, float rank, std::uint32_t) {
-            const glm::dvec2 mm = (place - offset) * unit;
+        pattern.forEachIn(low, high, 1, [&](const glm::vec2& place, float rank, std::uint32_t) {
+            const glm::dvec2 mm = glm::dvec2(place.x, static_cast<double>(place.y) + top) * unit;
             const PaperTone::Asked asked = tone.at(mm);
             const float area = 3.14159265F * asked.radiusMm * asked.radiusMm;
             // Dots to a unit of the pattern's plane, of which rank 1 has one.

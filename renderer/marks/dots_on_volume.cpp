@@ -28,8 +28,7 @@ std::uint32_t mixed(std::uint32_t x) {
 }
 
 /// A voxel's points: those of the pattern over the face of the voxel that its surface crosses most squarely, laid on
-/// the tangent plane. Neighbours share the plane's pattern, so that there is no seam between them, and so do the voxels
-/// that a surface is thick: each has its part of the points.
+/// the tangent plane. Neighbours share the plane's pattern, so that there is no seam between them.
 class VolumeDots {
   public:
     explicit VolumeDots(const MarkScene& scene) : scene_(scene), field_(scene.field) {
@@ -43,29 +42,28 @@ class VolumeDots {
             stepMm_[i] = step[i];
         }
         fading_ = scene.moving || scene.stipple.placing == "volume";
+        linear_ = scene.view.linear();
+        spreadMm_ = static_cast<float>(scene.stipple.spreadVoxels * field_.mmPerVoxel);
         clipped_ = scene.plan.clip.boxMm || !scene.plan.clip.planes.empty();
     }
 
     void add(std::size_t i, std::vector<Dot>& dots) const {
         const VoxelInk& ink = scene_.ink[i];
         const MarkVoxel& voxel = field_.voxels[i];
-        if (!(ink.dots > 0 && voxel.part > 0)) {
+        if (!(ink.dots > 0)) {
             return;
         }
-        const auto end = static_cast<float>(static_cast<double>(ink.dots / voxel.part) / capacity_);
+        const auto end = static_cast<float>(static_cast<double>(ink.dots) / capacity_);
         const Frame frame = frameOf(voxel);
         // A dot fades over the last unit of N, or over a part of a smaller N: the mean ink stays N.
         const float fade = fading_ ? std::min(1 / static_cast<float>(capacity_), kFadingPart * end) : 0.0F;
+        const auto perEdge = static_cast<float>(1 / edge_);
         const float edge = std::min(ink.facing / kWholeFacing, 1.0F);
         const glm::dvec2 low(frame.cell.x * edge_ + frame.offset.x, frame.cell.y * edge_ + frame.offset.y);
         dotPattern().forEachIn(
-            low, low + edge_, end + 0.5F * fade, [&](const glm::dvec2& place, float rank, std::uint32_t number) {
-                const float part = static_cast<float>(number & 0xffffU) * 0x1p-16F;
-                if (part < voxel.partStart || part >= voxel.partStart + voxel.part) {
-                    return;
-                }
+            low, low + edge_, end + 0.5F * fade, [&](const glm::vec2& place, float rank, std::uint32_t number) {
                 const float shown = fade > 0 ? edge * std::min((end - rank) / fade + 0.5F, 1.0F) : 1.0F;
-                const glm::dvec2 f = (place - low) / edge_ - 0.5;
+                const glm::vec2 f = place * perEdge - 0.5F;
                 addDot(i, frame, f, number, shown, dots);
             });
     }
@@ -124,15 +122,15 @@ class VolumeDots {
         return {frame.middle.mm + glm::vec2(moved), frame.middle.depthMm + moved.z, frame.middle.scale};
     }
 
-    void addDot(std::size_t i, const Frame& frame, const glm::dvec2& f, std::uint32_t number, float shown,
+    void addDot(std::size_t i, const Frame& frame, const glm::vec2& f, std::uint32_t number, float shown,
                 std::vector<Dot>& dots) const {
-        const double jitter = static_cast<double>(number >> 16) * 0x1p-15 - 1;
-        const glm::dvec3 step(f.x, f.y, jitter * scene_.stipple.spreadVoxels * field_.mmPerVoxel);
-        if (clipped_ && !scene_.view.kept(frame.middleMm + frame.acrossMm * step)) {
+        const float jitter = static_cast<float>(number >> 16) * 0x1p-15F - 1;
+        const glm::vec3 step(f.x, f.y, jitter * spreadMm_);
+        const auto inSpace = [&] { return frame.middleMm + frame.acrossMm * glm::dvec3(step); };
+        if (clipped_ && !scene_.view.kept(inSpace())) {
             return;
         }
-        const PlaceOnPaper at = scene_.view.linear() ? placed(frame, glm::vec3(step))
-                                                     : scene_.view.place(frame.middleMm + frame.acrossMm * step);
+        const PlaceOnPaper at = linear_ ? placed(frame, step) : scene_.view.place(inSpace());
         float opacity = shown * scene_.depth.visible(at, scene_.ink[i].facing);
         if (!fading_) {
             opacity = opacity >= 0.5F ? 1.0F : 0.0F;
@@ -149,6 +147,8 @@ class VolumeDots {
     glm::dvec3 stepMm_[3];
     bool fading_ = false;
     bool clipped_ = false;
+    bool linear_ = true; ///< the view's rays are parallel
+    float spreadMm_ = 0; ///< of dots before and behind the surface
 };
 
 } // namespace

@@ -204,7 +204,7 @@ MarkScene makeMarkScene(const RenderPlan& plan, const MarkField& field, bool mov
     tbb::parallel_for(std::size_t{0}, field.voxels.size(), [&](std::size_t i) {
         const MarkVoxel& voxel = field.voxels[i];
         VoxelInk& ink = scene.ink[i];
-        if (!(voxel.part > 0)) {
+        if (!(voxel.share > 0)) {
             return;
         }
         const glm::dvec3 mm = field.placeMm(voxel);

@@ -256,7 +256,8 @@ class FieldMaker {
     /// Cells of a column on one side of a cell that are of its surface.
     struct Side {
         double weight = 0;
-        double value = 0; ///< times weight
+        double value = 0;   ///< times weight
+        double largest = 0; ///< weight
         float magnitude = 0;
     };
 
@@ -288,6 +289,7 @@ class FieldMaker {
             falling = falling || next.weight < before;
             sum.weight += next.weight;
             sum.value += next.value;
+            sum.largest = std::max(sum.largest, next.weight);
             sum.magnitude = std::max(sum.magnitude, next.magnitude);
             before = next.weight;
         }
@@ -312,9 +314,8 @@ class FieldMaker {
         return static_cast<float>(top) + std::clamp(offset, -0.5F, 0.5F);
     }
 
-    /// The voxel's part of its surface: of the cells along the axis that crosses it most squarely, so that the parts of
-    /// a column add up, however the surface lies to the grid. Value and gradient are the surface's, of which the column
-    /// is a look through: its cells draw alike.
+    /// What the surface is that the voxel is of: value and gradient over the column of cells along the axis that
+    /// crosses it most squarely; and whether the voxel is the one that draws it.
     void lookThroughSurface(MarkVoxel& voxel) const {
         const glm::dmat3 steps = field_->grid.voxelToMmMatrix();
         const glm::dvec3 rises = glm::dvec3(voxel.normalMm) * steps; // mm along the normal per cell
@@ -330,14 +331,14 @@ class FieldMaker {
         }
         voxel.value = static_cast<float>((low.value + own.value + high.value) / sum);
         voxel.gradient = std::min(std::max({low.magnitude, own.magnitude, high.magnitude}) / largest_, 1.0F);
-        voxel.partStart = static_cast<float>(low.weight / sum);
-        voxel.part = static_cast<float>(own.weight / sum);
         voxel.edgeOffsetMm = cellsToEdge(cell, axis) * static_cast<float>(rises[axis]);
         // The surface over a face, in faces of a cube of the cell's volume.
         const glm::dvec3 s = field_->grid.spacingMm;
         const double face = s.x * s.y * s.z / (s[axis] * field_->mmPerVoxel * field_->mmPerVoxel);
         const double slant = s[axis] / std::max(along[axis], 0.5 * s[axis]);
-        voxel.share = voxel.part * static_cast<float>(face * slant);
+        if (own.weight > low.largest && own.weight >= high.largest) {
+            voxel.share = static_cast<float>(face * slant);
+        }
     }
 
     /// Principal curvatures of the level surface: the gradient's own slope, in the tangent plane, over its length.

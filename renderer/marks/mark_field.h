@@ -24,11 +24,9 @@ struct MarkVoxel {
     glm::vec3 normalMm{0};  ///< unit, patient coordinates, out of the denser matter
     float value = 0;        ///< v, in [0, 1]
     float gradient = 0;     ///< |g| over its 99.9th percentile, at most 1
-    /// Of the surface's marks, in those of a cube's face: of a column of cells along the axis that crosses the surface
-    /// most squarely the voxel has the part [partStart, partStart + part).
+    /// Area of the surface that the voxel draws, in faces of a cube of its volume. Of a surface some voxels thick one
+    /// draws, where it is strongest in its column along the axis that crosses it most squarely; the others have 0.
     float share = 0;
-    float partStart = 0;
-    float part = 0;
     float edge = 0;         ///< Laplacian of Gaussian of v, per voxel squared
     float edgeOffsetMm = 0; ///< along the normal to where the surface is, the same place for all of a column
     float dataValue = 0;    ///< in the data's unit: what styles read

@@ -20,9 +20,9 @@ constexpr double kMostDepthCells = 16e6;
 /// Matter thinner than this is as good as air: noise must not hide a surface.
 constexpr float kLeastData = 0.05F;
 constexpr float kLeastOpacity = 0.25F;
-constexpr float kLeastPart = 0.1F; ///< of its surface: the skirts of one lie before it
-/// Radius of a voxel's disc, in voxels: half the diagonal of a cube, so that a surface has no holes.
-constexpr float kDiscVoxels = 0.87F;
+/// Radius of a voxel's disc, in voxels: half the diagonal of its face on a surface as slanted to the grid as can be, so
+/// that there are no holes.
+constexpr float kDiscVoxels = 1;
 /// A surface is some voxels thick; its marks do not hide one another.
 constexpr float kToleranceVoxels = 1.5F;
 /// Half the diagonal of a face in the tangent plane, and the way onto the surface.
@@ -108,7 +108,7 @@ MarkDepth::MarkDepth(const MarkField& field, const MarkView& view, bool matterOf
     };
     tbb::parallel_for(std::size_t{0}, field.voxels.size(), [&](std::size_t i) {
         const MarkVoxel& voxel = field.voxels[i];
-        if (voxel.value >= least && voxel.part >= kLeastPart && facesViewer(voxel)) {
+        if (voxel.value >= least && voxel.share > 0 && facesViewer(voxel)) {
             addDisc(field, view, voxel, near);
         }
     });

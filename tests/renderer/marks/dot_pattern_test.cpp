@@ -11,7 +11,7 @@ namespace {
 std::vector<glm::dvec2> beginning(float end) {
     std::vector<glm::dvec2> points;
     dotPattern().forEachIn({0, 0}, {DotPattern::kSize, DotPattern::kSize}, end,
-                           [&](const glm::dvec2& p, float, std::uint32_t) { points.push_back(p); });
+                           [&](const glm::vec2& p, float, std::uint32_t) { points.emplace_back(p); });
     return points;
 }
 
@@ -58,8 +58,8 @@ TEST(DotPattern, RepeatsAndIsTheSameThroughAnyWindow) {
     const auto count = [&](const glm::dvec2& low, const glm::dvec2& high) {
         int points = 0;
         double sum = 0;
-        pattern.forEachIn(low, high, 0.5F, [&](const glm::dvec2& p, float rank, std::uint32_t) {
-            EXPECT_TRUE(p.x >= low.x && p.x < high.x && p.y >= low.y && p.y < high.y);
+        pattern.forEachIn(low, high, 0.5F, [&](const glm::vec2& p, float rank, std::uint32_t) {
+            EXPECT_TRUE(p.x >= 0 && p.x < high.x - low.x && p.y >= 0 && p.y < high.y - low.y);
             ++points;
             sum += static_cast<double>(rank);
         });

@@ -34,12 +34,12 @@ TEST(MarkField, NormalsPlacesAndCurvaturesOfABall) {
     double turn = 0;
     for (std::size_t i = 0; i < field->voxels.size(); ++i) {
         const MarkVoxel& voxel = field->voxels[i];
-        if (!(voxel.part > 0)) {
+        if (!(voxel.share > 0)) {
             continue;
         }
         const glm::dvec3 mm = field->placeMm(voxel);
         const glm::dvec3 n(voxel.normalMm);
-        const double part = static_cast<double>(voxel.part);
+        const double part = static_cast<double>(voxel.share);
         turn += part * std::acos(std::min(glm::dot(n, glm::normalize(mm)), 1.0));
         const glm::dvec3 surface = mm + n * static_cast<double>(voxel.edgeOffsetMm);
         place += part * std::abs(glm::length(surface) - kRadius);
@@ -67,26 +67,21 @@ TEST(MarkField, SharesAddUpToTheSurfaceHoweverItLies) {
                     area += static_cast<double>(voxel.share) * field->mmPerVoxel * field->mmPerVoxel;
                 }
             }
-            EXPECT_NEAR(area / (std::numbers::pi * radius * radius), 1, 0.03) << n.x << n.y << n.z << ", " << edge;
+            // At 45 degrees to two axes neighbours choose differently: a column is met twice, or missed.
+            EXPECT_NEAR(area / (std::numbers::pi * radius * radius), 1, 0.06) << n.x << n.y << n.z << ", " << edge;
         }
     }
 }
 
-TEST(MarkField, ColumnsAreDividedWithoutGapsOrOverlaps) {
+TEST(MarkField, OneVoxelOfAColumnDraws) {
     const auto field = fieldOf(inkFigure(slabVolume(32), 120, 32));
     for (int x = 4; x < 28; x += 6) {
-        double sum = 0;
+        int drawing = 0;
         for (int z = 0; z < 32; ++z) {
-            if (const std::int64_t i = field->find({x, 16, z}); i >= 0) {
-                const MarkVoxel& voxel = field->voxels[static_cast<std::size_t>(i)];
-                if (!(voxel.part > 0)) {
-                    continue; // beside matter
-                }
-                EXPECT_NEAR(static_cast<double>(voxel.partStart), sum, 1e-5);
-                sum += static_cast<double>(voxel.part);
-            }
+            const std::int64_t i = field->find({x, 16, z});
+            drawing += i >= 0 && field->voxels[static_cast<std::size_t>(i)].share > 0 ? 1 : 0;
         }
-        EXPECT_NEAR(sum, 1, 1e-5);
+        EXPECT_EQ(drawing, 1);
     }
     EXPECT_EQ(field->find({-1, 0, 0}), -1);
     EXPECT_EQ(field->find({16, 16, 2}), -1);
@@ -108,7 +103,7 @@ TEST(MarkField, LiesInSpaceAsTheVolumeDoes) {
     double weight = 0;
     for (const MarkVoxel& voxel : field->voxels) {
         const glm::dvec3 out = glm::normalize(field->placeMm(voxel) - middle);
-        const double part = static_cast<double>(voxel.part);
+        const double part = static_cast<double>(voxel.share);
         turn += part * std::acos(std::clamp(glm::dot(glm::dvec3(voxel.normalMm), out), -1.0, 1.0));
         weight += part;
     }

@@ -45,7 +45,6 @@ inline MarkVoxel voxelAt(glm::ivec3 cell, double distance, const glm::dvec3& nor
     voxel.value = static_cast<float>(0.5 * std::erfc(d / std::numbers::sqrt2));
     voxel.edge = static_cast<float>(0.4 * d * voxel.gradient);
     voxel.share = 0.4F * voxel.gradient;
-    voxel.part = 1;
     voxel.edgeOffsetMm = static_cast<float>(std::clamp(-distance, -voxelMm, voxelMm));
     return voxel;
 }
