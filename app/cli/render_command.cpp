@@ -164,6 +164,8 @@ void RenderCommand::report(Console& console, const ExportFacts& facts, const std
     std::string marks;
     if (facts.dots + facts.strokes > 0)
         marks = ", " + std::to_string(facts.dots) + " dots, " + std::to_string(facts.strokes) + " strokes";
+    if (facts.layersEmbedded)
+        marks += ", the layers embedded as one picture";
     console.say(out_ + ": " + text + marks);
 }
 

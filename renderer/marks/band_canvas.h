@@ -62,16 +62,16 @@ class BandCanvas {
     }
     [[nodiscard]] const Tile& band() const { return band_; }
 
-    void lay(const DotSplat& dot) {
+    void lay(const DotSplat& dot, const InkColour& rgb) {
         if (dot.radius <= DotStencils::kLargestRadius)
-            laySmall(dot);
+            laySmall(dot, rgb);
         else
-            layLarge(dot);
+            layLarge(dot, rgb);
     }
     /// `places`: of the stroke's chunk.
     void lay(const StrokeSplat& stroke, std::span<const glm::vec2> places, StrokeCells& cells) {
         if (stroke.places == 0)
-            return layShort(stroke);
+            return layLine(stroke);
         const int first = std::max(band_.origin.y - stroke.origin.y, 0);
         const int rows = std::min(band_.origin.y + band_.size.y - stroke.origin.y, stroke.extent.y) - first;
         if (stroke.extent.x <= 0 || rows <= 0)
@@ -86,9 +86,9 @@ class BandCanvas {
     }
 
   private:
-    void laySmall(const DotSplat& dot);
-    void layLarge(const DotSplat& dot);
-    void layShort(const StrokeSplat& stroke);
+    void laySmall(const DotSplat& dot, const InkColour& rgb);
+    void layLarge(const DotSplat& dot, const InkColour& rgb);
+    void layLine(const StrokeSplat& stroke);
 
     Tile band_;
     std::size_t stride_ = 0;
@@ -96,7 +96,7 @@ class BandCanvas {
 };
 
 template <typename Pixel>
-void BandCanvas<Pixel>::laySmall(const DotSplat& dot) {
+void BandCanvas<Pixel>::laySmall(const DotSplat& dot, const InkColour& rgb) {
     constexpr int kUnitsPerPhase = DotSplat::kUnits / DotStencils::kPhases;
     constexpr auto kReach = static_cast<int>(DotStencils::kLargestRadius * DotStencils::kPhases);
     const auto phases = [](int units) { return ((units + kUnitsPerPhase / 2) >> 4) - kReach; };
@@ -116,13 +116,13 @@ void BandCanvas<Pixel>::laySmall(const DotSplat& dot) {
         Four shares;
         static_assert(DotStencils::kEdge == 4);
         std::memcpy(&shares, stencil.data() + row * 4, sizeof shares);
-        Pixel::coverFour(at(x, y + row), shares * scale, dot.rgb);
+        Pixel::coverFour(at(x, y + row), shares * scale, rgb);
     }
 }
 
 /// A pixel sees the edge of a large disc as straight; what that adds to the area is taken off the radius.
 template <typename Pixel>
-void BandCanvas<Pixel>::layLarge(const DotSplat& dot) {
+void BandCanvas<Pixel>::layLarge(const DotSplat& dot, const InkColour& rgb) {
     const float radius = std::sqrt(dot.radius * dot.radius - 1.0F / 12);
     const auto whole = [](std::int32_t units) { return units >= 0 ? units / DotSplat::kUnits : -(-units / 256) - 1; };
     const int middleX = whole(dot.x);
@@ -149,35 +149,34 @@ void BandCanvas<Pixel>::layLarge(const DotSplat& dot) {
                 const float distance = std::sqrt(square);
                 share = halfPlane(radius - distance, dx / distance, dy / distance);
             }
-            pixels[column].cover(share * dot.opacity, dot.rgb);
+            pixels[column].cover(share * dot.opacity, rgb);
         }
     }
 }
 
-/// The share across the line times that along it. The round ends count as far as a straight end of their area.
+/// A pixel sees the line's edge as a ramp of a pixel, whatever its direction: `halfLength` makes up for what that adds
+/// to the ends.
 template <typename Pixel>
-void BandCanvas<Pixel>::layShort(const StrokeSplat& stroke) {
+void BandCanvas<Pixel>::layLine(const StrokeSplat& stroke) {
     constexpr int kLanes = 4;
-    constexpr float kQuarterPi = 0.785398163F;
-    const float length = glm::distance(stroke.from, stroke.to);
-    const glm::vec2 along = (stroke.to - stroke.from) / length;
-    const EdgeShare across({-along.y, along.x});
-    const float halfLength = 0.5F * length + kQuarterPi * stroke.radius;
-    const glm::vec2 middle = 0.5F * (stroke.from + stroke.to);
-    const float reach = stroke.radius + across.reach(); // of the line's sides, where a pixel's middle sees them
-    const float ends = halfLength + 0.5F;
-    const Four most = Four{} + std::min(2 * halfLength, 1.0F);
-    const glm::vec2 box = glm::abs(along) * ends + glm::abs(glm::vec2(along.y, along.x)) * reach;
+    const glm::vec2 along = stroke.along;
+    const glm::vec2 middle = stroke.middle;
+    const float reach = stroke.radius + 0.5F;
+    const Four most = Four{} + std::min(2 * stroke.radius, 1.0F);
+    const glm::vec2 box = glm::abs(along) * stroke.halfLength + reach;
     const Tile tile{band_.origin - stroke.origin, band_.size};
-    const auto firstPixel = [](float from) { return static_cast<int>(std::floor(from + 0.5F)); }; // middle not before
+    const auto firstPixel = [](float from) {
+        const int cut = static_cast<int>(from + 0.5F); // std::floor is a call where the processor's set is small
+        return cut - (from + 0.5F < static_cast<float>(cut) ? 1 : 0);
+    };
     const int top = std::max(tile.origin.y, firstPixel(middle.y - box.y));
     const int bottom = std::min(tile.origin.y + tile.size.y, firstPixel(middle.y + box.y));
     // Along a row the line's sides are this far to both sides of its middle; a line along rows is only cut at its ends.
-    const float steep = std::max(std::abs(along.y), 1e-3F) * (along.y < 0 ? -1.0F : 1.0F);
-    const float half = reach / std::abs(steep);
+    const float perRow = 1 / (std::max(std::abs(along.y), 1e-3F) * (along.y < 0 ? -1.0F : 1.0F));
+    const float half = reach * std::abs(perRow);
     for (int y = top; y < bottom; ++y) {
         const float dy = static_cast<float>(y) + 0.5F - middle.y;
-        const float centre = dy * along.x / steep;
+        const float centre = dy * along.x * perRow;
         // Fours begin where they do in the whole picture: what a pixel gets does not depend on the tile.
         int left = firstPixel(middle.x + std::max(centre - half, -box.x));
         left += std::max(tile.origin.x - left, 0) / kLanes * kLanes;
@@ -185,11 +184,10 @@ void BandCanvas<Pixel>::layShort(const StrokeSplat& stroke) {
         for (int x = left; x < right; x += kLanes) {
             const Four dx = Four{0.5F, 1.5F, 2.5F, 3.5F} + static_cast<float>(x) - middle.x;
             const Four t = dx * along.x + dy * along.y;
+            const Four beyond = t - atMost(atLeast0(t + stroke.halfLength), Four{} + 2 * stroke.halfLength) +
+                                stroke.halfLength; // of the ends
             const Four d = dy * along.x - dx * along.y;
-            const Four towardsEnd = atLeast0(ends - (t > 0 ? t : -t));
-            const Four within = towardsEnd < most ? towardsEnd : most;
-            const Four full = atLeast0(across(d + stroke.radius) - across(d - stroke.radius)) * within;
-            const Four shares = (d > -reach && d < reach) ? full : Four{}; // rounding beyond would touch the pixels
+            const Four shares = atMost(atLeast0(reach - squareRoot(beyond * beyond + d * d)), most);
             Pixel::coverFour(at(x + stroke.origin.x, y + stroke.origin.y), shares * stroke.opacity, stroke.rgb);
         }
     }

@@ -5,12 +5,37 @@
 #include <algorithm>
 #include <cmath>
 
+#ifdef __SSE__
+#include <immintrin.h>
+#endif
+
 namespace limner {
 
 /// Four numbers side by side, for processors that count so; compilers make a loop of it for the others.
 using Four = float __attribute__((vector_size(16)));
 
-inline Four atLeast0(Four x) { return x > 0 ? x : Four{}; }
+inline Four atLeast0(Four x) {
+#ifdef __SSE__
+    return _mm_max_ps(x, Four{});
+#else
+    return x > 0 ? x : Four{};
+#endif
+}
+
+inline Four atMost(Four x, Four most) {
+#ifdef __SSE__
+    return _mm_min_ps(x, most);
+#else
+    return x < most ? x : most;
+#endif
+}
+inline Four squareRoot(Four x) {
+#ifdef __SSE__
+    return _mm_sqrt_ps(x);
+#else
+    return Four{std::sqrt(x[0]), std::sqrt(x[1]), std::sqrt(x[2]), std::sqrt(x[3])};
+#endif
+}
 
 /// The share of a pixel that lies on the inner side of a straight edge: `inside` is its middle's distance to the edge,
 /// (a, b) the edge's unit normal.
@@ -26,35 +51,5 @@ inline float halfPlane(float inside, float a, float b) {
     const float corner = (most - std::abs(inside)) * (most - std::abs(inside)) / (2 * a * b);
     return inside > 0 ? 1 - corner : corner;
 }
-
-/// How much of a pixel lies on the inner side of straight edges of one direction, as differences of squares: exact, and
-/// without a branch.
-class EdgeShare {
-  public:
-    explicit EdgeShare(glm::vec2 normal) {
-        constexpr float kLeast = 1e-3F; // an edge along the pixels' is a ramp whose corners are that round
-        const float a = std::max(std::abs(normal.x), kLeast);
-        const float b = std::max(std::abs(normal.y), kLeast);
-        wide_ = 0.5F * (a + b);
-        flat_ = 0.5F * std::abs(a - b);
-        scale_ = 1 / (2 * a * b);
-    }
-    [[nodiscard]] Four operator()(Four inside) const {
-        return (square(inside + wide_) - square(inside + flat_) - square(inside - flat_) + square(inside - wide_)) *
-               scale_;
-    }
-
-    /// As far from an edge a pixel's middle may be and see it.
-    [[nodiscard]] float reach() const { return wide_; }
-
-  private:
-    static Four square(Four x) {
-        x = atLeast0(x);
-        return x * x;
-    }
-    float wide_ = 0;
-    float flat_ = 0;
-    float scale_ = 0;
-};
 
 } // namespace limner

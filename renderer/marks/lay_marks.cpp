@@ -43,19 +43,34 @@ void compose(BandCanvas<Pixel>& canvas, const Marks& marks, const InkColour& rgb
 }
 
 /// A band's dots of a group, the farthest first; equally far ones as they come.
-std::vector<DotSplat> farthestFirst(std::span<const MarkChunk> chunks, std::size_t band) {
-    std::vector<DotSplat> dots;
-    for (const MarkChunk& chunk : chunks)
-        dots.insert(dots.end(), chunk.dotsOf(band).begin(), chunk.dotsOf(band).end());
-    std::stable_sort(dots.begin(), dots.end(), [](const DotSplat& a, const DotSplat& b) { return a.depth < b.depth; });
+std::vector<ColourDotSplat> farthestFirst(std::span<const MarkChunk<ColourDotSplat>> chunks, std::size_t band) {
+    std::vector<ColourDotSplat> dots;
+    for (const auto& chunk : chunks)
+        dots.insert(dots.end(), chunk.dots.of(band).begin(), chunk.dots.of(band).end());
+    std::stable_sort(dots.begin(), dots.end(),
+                     [](const ColourDotSplat& a, const ColourDotSplat& b) { return a.depth < b.depth; });
     return dots;
 }
 
-template <typename Pixel>
+void layDots(std::span<const MarkChunk<DotSplat>> chunks, std::size_t band, const InkColour& ink,
+             BandCanvas<InkPixel>& canvas) {
+    for (const auto& chunk : chunks)
+        for (const DotSplat& dot : chunk.dots.of(band))
+            canvas.lay(dot, ink);
+}
+
+void layDots(std::span<const MarkChunk<ColourDotSplat>> chunks, std::size_t band, const InkColour& /*ink*/,
+             BandCanvas<ColourPixel>& canvas) {
+    for (const ColourDotSplat& dot : farthestFirst(chunks, band))
+        canvas.lay(dot, dot.rgb);
+}
+
+template <typename Pixel, typename AnyDotSplat>
 class MarkLayer {
   public:
-    MarkLayer(const Marks& marks, const MarkBins& bins, const Tile& tile, Picture& picture)
-        : marks_(marks), bins_(bins), tile_(tile), picture_(picture) {}
+    MarkLayer(const Marks& marks, const InkColour& ink, const MarkBins<AnyDotSplat>& bins, const Tile& tile,
+              Picture& picture)
+        : marks_(marks), ink_(ink), bins_(bins), tile_(tile), picture_(picture) {}
 
     void lay() {
         tbb::parallel_for(std::size_t{0}, bins_.bands, [&](std::size_t band) { layBand(band); });
@@ -68,8 +83,8 @@ class MarkLayer {
     };
 
     [[nodiscard]] bool touched(std::size_t band) const {
-        return std::any_of(bins_.chunks.begin(), bins_.chunks.end(), [&](const MarkChunk& chunk) {
-            return !chunk.dotsOf(band).empty() || !chunk.strokesOf(band).empty();
+        return std::any_of(bins_.chunks.begin(), bins_.chunks.end(), [&](const auto& chunk) {
+            return !chunk.dots.of(band).empty() || !chunk.strokes.of(band).empty();
         });
     }
 
@@ -77,10 +92,10 @@ class MarkLayer {
         if (!touched(band))
             return;
         Space& space = spaces_.local();
-        const int top = static_cast<int>(band) * MarkBins::kBandRows;
+        const int top = static_cast<int>(band) * kBandRows;
         space.canvas.begin(
-            {tile_.origin + glm::ivec2(0, top), {tile_.size.x, std::min(MarkBins::kBandRows, tile_.size.y - top)}});
-        const std::span<const MarkChunk> all(bins_.chunks);
+            {tile_.origin + glm::ivec2(0, top), {tile_.size.x, std::min(kBandRows, tile_.size.y - top)}});
+        const std::span<const MarkChunk<AnyDotSplat>> all(bins_.chunks);
         for (std::size_t from = 0; from < all.size();) {
             std::size_t to = from + 1;
             while (to < all.size() && all[to].group == all[from].group)
@@ -88,40 +103,41 @@ class MarkLayer {
             layGroup(all.subspan(from, to - from), band, space);
             from = to;
         }
-        compose(space.canvas, marks_, bins_.rgb, tile_, picture_);
+        compose(space.canvas, marks_, ink_, tile_, picture_);
     }
 
-    void layGroup(std::span<const MarkChunk> chunks, std::size_t band, Space& space) {
-        if (bins_.oneColour) {
-            for (const MarkChunk& chunk : chunks)
-                for (const DotSplat& dot : chunk.dotsOf(band))
-                    space.canvas.lay(dot);
-        } else {
-            for (const DotSplat& dot : farthestFirst(chunks, band))
-                space.canvas.lay(dot);
-        }
-        for (const MarkChunk& chunk : chunks)
-            for (const StrokeSplat& stroke : chunk.strokesOf(band))
+    void layGroup(std::span<const MarkChunk<AnyDotSplat>> chunks, std::size_t band, Space& space) {
+        layDots(chunks, band, ink_, space.canvas);
+        for (const auto& chunk : chunks)
+            for (const StrokeSplat& stroke : chunk.strokes.of(band))
                 space.canvas.lay(stroke, chunk.places, space.cells);
     }
 
     const Marks& marks_;
-    const MarkBins& bins_;
+    const InkColour& ink_; ///< where all marks have one
+    const MarkBins<AnyDotSplat>& bins_;
     const Tile& tile_;
     Picture& picture_;
     tbb::enumerable_thread_specific<Space> spaces_;
 };
+
+/// There is a mark.
+InkColour firstColour(const Marks& marks) {
+    const auto group = std::find_if(marks.groups.begin(), marks.groups.end(),
+                                    [](const MarkGroup& g) { return !g.dots.empty() || !g.strokes.empty(); });
+    return group->dots.empty() ? group->strokes.front().rgb : group->dots.front().rgb;
+}
 
 } // namespace
 
 void layMarks(const Marks& marks, glm::ivec2 size, const Tile& tile, Picture& picture) {
     if (marks.empty() || !(marks.paperMm.x > 0 && marks.paperMm.y > 0) || tile.size.x < 1 || tile.size.y < 1)
         return;
-    const MarkBins bins = sortIntoBands(marks, size, tile);
-    if (bins.oneColour)
-        MarkLayer<InkPixel>(marks, bins, tile, picture).lay();
+    const InkColour ink = firstColour(marks);
+    if (const auto bins = sortOneInk(marks, ink, size, tile))
+        MarkLayer<InkPixel, DotSplat>(marks, ink, *bins, tile, picture).lay();
     else
-        MarkLayer<ColourPixel>(marks, bins, tile, picture).lay();
+        MarkLayer<ColourPixel, ColourDotSplat>(marks, ink, sortColours(marks, size, tile), tile, picture).lay();
 }
 
 } // namespace limner

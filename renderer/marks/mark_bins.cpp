@@ -5,9 +5,10 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
+#include <atomic>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 
 namespace limner {
 
@@ -36,7 +37,7 @@ struct BandRange {
 
 /// The bands between two rows, in units of dots' places; none where they miss the tile.
 BandRange bandsOf(std::int32_t top, std::int32_t bottom, const Tile& tile) {
-    constexpr int kBandUnits = MarkBins::kBandRows * DotSplat::kUnits;
+    constexpr int kBandUnits = kBandRows * DotSplat::kUnits;
     const std::int32_t first = tile.origin.y * DotSplat::kUnits;
     const std::int32_t from = std::max(top - first, 0);
     const std::int32_t to = std::min(bottom - first, tile.size.y * DotSplat::kUnits - 1);
@@ -57,33 +58,31 @@ bool misses(double left, double right, const Tile& tile) {
     return !(right > tile.origin.x && left < tile.origin.x + tile.size.x);
 }
 
-/// Puts items into the order of their bands: `start` becomes each band's first place in the order.
-template <typename Item>
-std::vector<Item> inBandOrder(const std::vector<Item>& items, const std::vector<BandRange>& ranges, std::size_t bands,
-                              std::vector<std::uint32_t>& start) {
-    start.assign(bands + 1, 0);
+/// Puts items into the order of their bands.
+template <typename Splat>
+Banded<Splat> inBandOrder(std::span<const Splat> items, std::span<const BandRange> ranges, std::size_t bands) {
+    Banded<Splat> banded;
+    std::vector<std::uint32_t> next(bands + 1, 0);
     for (const BandRange& range : ranges)
         for (int band = range.from; band < range.to; ++band)
-            ++start[static_cast<std::size_t>(band) + 1];
+            ++next[static_cast<std::size_t>(band) + 1];
     for (std::size_t band = 0; band < bands; ++band)
-        start[band + 1] += start[band];
-    std::vector<Item> ordered(start[bands]);
-    std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
+        next[band + 1] += next[band];
+    banded.start = next;
+    banded.splats.resize(next[bands]);
     for (std::size_t i = 0; i < items.size(); ++i)
         for (int band = ranges[i].from; band < ranges[i].to; ++band)
-            ordered[next[static_cast<std::size_t>(band)]++] = items[i];
-    return ordered;
+            banded.splats[next[static_cast<std::size_t>(band)]++] = items[i];
+    return banded;
 }
 
-void sortDots(std::span<const Dot> dots, const ToPixels& to, std::size_t bands, MarkChunk& chunk) {
-    std::vector<DotSplat> splats;
+template <typename AnyDotSplat>
+Banded<AnyDotSplat> sortDots(std::span<const Dot> dots, const ToPixels& to, std::size_t bands) {
+    std::vector<AnyDotSplat> splats;
     std::vector<BandRange> ranges;
     splats.reserve(dots.size());
     ranges.reserve(dots.size());
-    const InkColour first = dots.front().rgb;
-    bool oneColour = true;
     for (const Dot& dot : dots) {
-        oneColour = oneColour && dot.rgb == first;
         const glm::dvec2 place = glm::dvec2(dot.placeMm) * to.scale;
         const double radius = dot.radiusMm * to.radiusScale;
         if (!(radius > 0 && dot.opacity > 0 && inReach(place, radius) && std::isfinite(dot.depthMm)) ||
@@ -93,13 +92,18 @@ void sortDots(std::span<const Dot> dots, const ToPixels& to, std::size_t bands, 
             bandsOf(unitsOf(place.y - radius - kDotMargin), unitsOf(place.y + radius + kDotMargin), to.tile);
         if (range.from == range.to)
             continue;
-        splats.push_back({unitsOf(place.x + 0.5 / DotSplat::kUnits), unitsOf(place.y + 0.5 / DotSplat::kUnits),
-                          static_cast<float>(radius), std::min(dot.opacity, 1.0F), dot.depthMm, dot.rgb});
+        AnyDotSplat& splat = splats.emplace_back();
+        splat.x = unitsOf(place.x + 0.5 / DotSplat::kUnits);
+        splat.y = unitsOf(place.y + 0.5 / DotSplat::kUnits);
+        splat.radius = static_cast<float>(radius);
+        splat.opacity = std::min(dot.opacity, 1.0F);
+        if constexpr (std::is_same_v<AnyDotSplat, ColourDotSplat>) {
+            splat.depth = dot.depthMm;
+            splat.rgb = dot.rgb;
+        }
         ranges.push_back(range);
     }
-    chunk.rgb = first;
-    chunk.oneColour = oneColour;
-    chunk.dots = inBandOrder(splats, ranges, bands, chunk.dotStart);
+    return inBandOrder<AnyDotSplat>(splats, ranges, bands);
 }
 
 /// Takes an outline apart into the places of its chords.
@@ -135,15 +139,35 @@ struct Box {
     glm::dvec2 high{-kFarthest};
 };
 
-/// Whether the stroke is drawn as a short thin line: the ends' roundness is less than a pixel shows.
-bool isShortLine(std::span<const StrokePoint> points, const ToPixels& to) {
-    constexpr double kThin = 1.25;
+/// A stroke that is drawn as a short thin line: a pixel shows little of its edges' direction. False: it is not.
+bool shortLine(std::span<const StrokePoint> points, const ToPixels& to, StrokeSplat& splat) {
+    constexpr double kThin = 2;
     constexpr double kShort = 16;
+    constexpr double kPoint = 0.01;
+    constexpr double kPi = std::numbers::pi;
     if (points.size() != 2 || points[0].widthMm != points[1].widthMm)
         return false;
-    const double length =
-        glm::distance(glm::dvec2(points[0].placeMm) * to.scale, glm::dvec2(points[1].placeMm) * to.scale);
-    return points[0].widthMm * to.radiusScale <= kThin && length <= kShort && length > 0.01;
+    const double width = points[0].widthMm * to.radiusScale;
+    const glm::dvec2 a = glm::dvec2(points[0].placeMm) * to.scale;
+    const glm::dvec2 step = glm::dvec2(points[1].placeMm) * to.scale - a;
+    const double square = glm::dot(step, step);
+    if (!(width > 0 && width <= kThin && square <= kShort * kShort && square > kPoint * kPoint && inReach(a, width)))
+        return false;
+    const double length = std::sqrt(square);
+    const double radius = 0.5 * width;
+    const glm::dvec2 middle = a + 0.5 * step;
+    splat.origin = glm::ivec2(unitsOf(middle.x), unitsOf(middle.y)) / DotSplat::kUnits;
+    splat.middle = glm::vec2(middle - glm::dvec2(splat.origin));
+    splat.along = glm::vec2(step / length);
+    splat.radius = static_cast<float>(radius);
+    // Edges that are ramps of a pixel make a round end larger by that much; the line is shorter for it, or fainter.
+    const double wanted = width * length + kPi * radius * radius;
+    const double ends =
+        radius < 0.5 ? kPi * (radius / 2 + 2 * radius * radius * radius / 3) : kPi * (radius * radius + 1.0 / 12);
+    const double left = std::max((wanted - ends) / width, 0.0);
+    splat.halfLength = static_cast<float>(0.5 * left);
+    splat.opacity *= static_cast<float>(std::min(wanted / ends, 1.0));
+    return true;
 }
 
 /// The stroke's points in pixels without repeated places; false where one is not finite or out of all reach.
@@ -171,45 +195,65 @@ bool strokePoints(std::span<const StrokePoint> points, const ToPixels& to, std::
     return true;
 }
 
-void sortStrokes(const MarkGroup& group, std::size_t first, std::size_t end, const ToPixels& to, std::size_t bands,
-                 MarkChunk& chunk) {
-    std::vector<BandRange> ranges;
-    std::vector<StrokeSplat> splats;
-    std::vector<OutlinePoint> points;
-    ChordSink sink(chunk.places);
-    chunk.rgb = group.strokes[first].rgb;
+/// The bands that a stroke touches, and its splat; none where it is not to be drawn.
+class StrokeSorter {
+  public:
+    StrokeSorter(const ToPixels& to, std::vector<glm::vec2>& places) : to_(to), places_(places) {}
+
+    BandRange place(std::span<const StrokePoint> middle, StrokeSplat& splat) {
+        if (shortLine(middle, to_, splat)) {
+            // A pixel's middle sees the line from a pixel's width away, at most.
+            const glm::vec2 reach = glm::abs(splat.along) * splat.halfLength + (splat.radius + 1);
+            return bandsOf(glm::dvec2(splat.middle - reach) + glm::dvec2(splat.origin),
+                           glm::dvec2(splat.middle + reach) + glm::dvec2(splat.origin));
+        }
+        Box box;
+        if (!strokePoints(middle, to_, points_, box, splat.origin))
+            return {};
+        const BandRange range = bandsOf(box.low - 1.0, box.high + 1.0);
+        if (range.from == range.to)
+            return {};
+        splat.firstPlace = static_cast<std::uint32_t>(places_.size());
+        ChordSink sink(places_);
+        traceStroke(points_, sink);
+        splat.places = static_cast<std::uint32_t>(places_.size()) - splat.firstPlace;
+        splat.extent = {std::min(static_cast<int>(std::ceil(box.high.x)) + 1, to_.size.x) - splat.origin.x,
+                        static_cast<int>(std::ceil(box.high.y)) + 1 - splat.origin.y};
+        return range;
+    }
+
+  private:
+    [[nodiscard]] BandRange bandsOf(const glm::dvec2& low, const glm::dvec2& high) const {
+        if (misses(low.x, high.x, to_.tile))
+            return {};
+        return limner::bandsOf(unitsOf(low.y), unitsOf(high.y), to_.tile);
+    }
+
+    const ToPixels& to_;
+    std::vector<glm::vec2>& places_;
+    std::vector<OutlinePoint> points_;
+};
+
+Banded<StrokeSplat> sortStrokes(const MarkGroup& group, std::size_t first, std::size_t end, const ToPixels& to,
+                                std::size_t bands, std::vector<glm::vec2>& places) {
+    std::vector<StrokeSplat> splats(end - first);
+    std::vector<BandRange> ranges(end - first);
+    std::size_t count = 0;
+    StrokeSorter sorter(to, places);
     for (std::size_t i = first; i < end; ++i) {
         const Stroke& stroke = group.strokes[i];
-        chunk.oneColour = chunk.oneColour && stroke.rgb == chunk.rgb;
         if (!(stroke.opacity > 0) || stroke.count == 0 ||
             stroke.first + std::size_t{stroke.count} > group.points.size())
             continue;
-        Box box;
-        glm::ivec2 origin;
-        const auto middle = std::span(group.points).subspan(stroke.first, stroke.count);
-        if (!strokePoints(middle, to, points, box, origin) || misses(box.low.x - 1, box.high.x + 1, to.tile))
-            continue;
-        const BandRange range = bandsOf(unitsOf(box.low.y - 1), unitsOf(box.high.y + 1), to.tile);
-        if (range.from == range.to)
-            continue;
-        StrokeSplat splat;
-        splat.firstPlace = static_cast<std::uint32_t>(chunk.places.size());
-        if (isShortLine(middle, to)) {
-            splat.from = points[0].place;
-            splat.to = points[1].place;
-            splat.radius = points[0].radius;
-        } else
-            traceStroke(points, sink);
-        splat.places = static_cast<std::uint32_t>(chunk.places.size()) - splat.firstPlace;
-        splat.origin = origin;
-        splat.extent = {std::min(static_cast<int>(std::ceil(box.high.x)) + 1, to.size.x) - origin.x,
-                        static_cast<int>(std::ceil(box.high.y)) + 1 - origin.y};
+        StrokeSplat& splat = splats[count];
+        splat.places = 0;
         splat.opacity = std::min(stroke.opacity, 1.0F);
         splat.rgb = stroke.rgb;
-        splats.push_back(splat);
-        ranges.push_back(range);
+        ranges[count] = sorter.place(std::span(group.points).subspan(stroke.first, stroke.count), splat);
+        if (ranges[count].from != ranges[count].to)
+            ++count;
     }
-    chunk.strokes = inBandOrder(splats, ranges, bands, chunk.strokeStart);
+    return inBandOrder<StrokeSplat>(std::span(splats).first(count), std::span(ranges).first(count), bands);
 }
 
 /// Dots [first, end) of a group, or its strokes.
@@ -233,32 +277,55 @@ std::vector<ChunkWork> cutIntoChunks(const Marks& marks) {
     return works;
 }
 
-} // namespace
+bool allHave(const MarkGroup& group, const ChunkWork& work, const InkColour& ink) {
+    const auto same = [&](const auto& marks) {
+        return std::all_of(marks.begin() + static_cast<std::ptrdiff_t>(work.first),
+                           marks.begin() + static_cast<std::ptrdiff_t>(work.end),
+                           [&](const auto& mark) { return mark.rgb == ink; });
+    };
+    return work.strokes ? same(group.strokes) : same(group.dots);
+}
 
-MarkBins sortIntoBands(const Marks& marks, glm::ivec2 size, const Tile& tile) {
+/// Absent where `ink` is given and a mark has another colour.
+template <typename AnyDotSplat>
+std::optional<MarkBins<AnyDotSplat>> sorted(const Marks& marks, glm::ivec2 size, const Tile& tile,
+                                            const InkColour* ink) {
     ToPixels to{glm::dvec2(size) / marks.paperMm, 1, tile, size};
     to.radiusScale = std::sqrt(to.scale.x * to.scale.y);
-    MarkBins bins;
-    bins.bands = static_cast<std::size_t>((tile.size.y + MarkBins::kBandRows - 1) / MarkBins::kBandRows);
+    MarkBins<AnyDotSplat> bins;
+    bins.bands = static_cast<std::size_t>((tile.size.y + kBandRows - 1) / kBandRows);
     const std::vector<ChunkWork> works = cutIntoChunks(marks);
     bins.chunks.resize(works.size());
+    std::atomic<bool> otherColour{false};
     tbb::parallel_for(std::size_t{0}, works.size(), [&](std::size_t i) {
         const ChunkWork& work = works[i];
         const MarkGroup& group = marks.groups[work.group];
-        MarkChunk& chunk = bins.chunks[i];
+        MarkChunk<AnyDotSplat>& chunk = bins.chunks[i];
         chunk.group = work.group;
-        chunk.dotStart.assign(bins.bands + 1, 0);
-        chunk.strokeStart.assign(bins.bands + 1, 0);
+        if (ink != nullptr && (otherColour || !allHave(group, work, *ink))) {
+            otherColour = true;
+            return;
+        }
         if (work.strokes)
-            sortStrokes(group, work.first, work.end, to, bins.bands, chunk);
+            chunk.strokes = sortStrokes(group, work.first, work.end, to, bins.bands, chunk.places);
         else
-            sortDots(std::span(group.dots).subspan(work.first, work.end - work.first), to, bins.bands, chunk);
+            chunk.dots =
+                sortDots<AnyDotSplat>(std::span(group.dots).subspan(work.first, work.end - work.first), to, bins.bands);
     });
-    if (!bins.chunks.empty())
-        bins.rgb = bins.chunks.front().rgb;
-    for (const MarkChunk& chunk : bins.chunks)
-        bins.oneColour = bins.oneColour && chunk.oneColour && chunk.rgb == bins.rgb;
+    if (otherColour)
+        return std::nullopt;
     return bins;
+}
+
+} // namespace
+
+MarkBins<ColourDotSplat> sortColours(const Marks& marks, glm::ivec2 size, const Tile& tile) {
+    return *sorted<ColourDotSplat>(marks, size, tile, nullptr);
+}
+
+std::optional<MarkBins<DotSplat>> sortOneInk(const Marks& marks, const InkColour& ink, glm::ivec2 size,
+                                             const Tile& tile) {
+    return sorted<DotSplat>(marks, size, tile, &ink);
 }
 
 } // namespace limner

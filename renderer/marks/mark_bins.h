@@ -4,6 +4,7 @@
 #include "renderer/marks/marks.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,10 @@ struct DotSplat {
     std::int32_t y = 0;
     float radius = 0;
     float opacity = 0;
+};
+
+/// One among dots of several colours.
+struct ColourDotSplat : DotSplat {
     float depth = 0;
     InkColour rgb{0};
 };
@@ -24,44 +29,50 @@ struct DotSplat {
 struct StrokeSplat {
     std::uint32_t firstPlace = 0; ///< of the outline
     std::uint32_t places = 0;
-    glm::vec2 from{0}; ///< the short thin line
-    glm::vec2 to{0};
-    float radius = 0;
     glm::ivec2 origin{0}; ///< of all places, in whole pixels of the picture
-    glm::ivec2 extent{0}; ///< pixels from the origin to the right end, or the picture's, and to the lower end
+    glm::ivec2 extent{0}; ///< of the outline: pixels from the origin to its right end, or the picture's, and lower end
+    glm::vec2 middle{0};  ///< of the line
+    glm::vec2 along{0};   ///< unit
+    float halfLength = 0;
+    float radius = 0;
     float opacity = 0;
     InkColour rgb{0};
 };
 
-/// Some of a group's marks, in its order, those of one kind that touch a band of rows together.
+/// Marks of one kind in the order of the bands that they touch, within a band in their own.
+template <typename Splat>
+struct Banded {
+    std::vector<Splat> splats;
+    std::vector<std::uint32_t> start; ///< per band, one more at the end; empty: none
+
+    [[nodiscard]] std::span<const Splat> of(std::size_t band) const {
+        if (start.empty())
+            return {};
+        return std::span(splats).subspan(start[band], start[band + 1] - start[band]);
+    }
+};
+
+/// Some of a group's marks, in its order.
+template <typename AnyDotSplat>
 struct MarkChunk {
     std::size_t group = 0;
-    std::vector<DotSplat> dots;
-    std::vector<std::uint32_t> dotStart; ///< per band, one more at the end
-    std::vector<StrokeSplat> strokes;
-    std::vector<glm::vec2> places;
-    std::vector<std::uint32_t> strokeStart;
-    bool oneColour = true; ///< of all marks that the chunk looked at, in the tile or not
-    InkColour rgb{0};
-
-    [[nodiscard]] std::span<const DotSplat> dotsOf(std::size_t band) const {
-        return std::span(dots).subspan(dotStart[band], dotStart[band + 1] - dotStart[band]);
-    }
-    [[nodiscard]] std::span<const StrokeSplat> strokesOf(std::size_t band) const {
-        return std::span(strokes).subspan(strokeStart[band], strokeStart[band + 1] - strokeStart[band]);
-    }
+    Banded<AnyDotSplat> dots;
+    Banded<StrokeSplat> strokes;
+    std::vector<glm::vec2> places; ///< of the outlines
 };
 
 /// Marks sorted into bands of a tile's rows.
+template <typename AnyDotSplat>
 struct MarkBins {
-    static constexpr int kBandRows = 16;
-    std::vector<MarkChunk> chunks; ///< in drawing order; the same whatever the number of threads
+    std::vector<MarkChunk<AnyDotSplat>> chunks; ///< in drawing order; the same whatever the number of threads
     std::size_t bands = 0;
-    bool oneColour = true; ///< of all the marks
-    InkColour rgb{0};
 };
+constexpr int kBandRows = 16;
 
 /// Marks that are not finite or do not touch the tile are left out.
-MarkBins sortIntoBands(const Marks& marks, glm::ivec2 size, const Tile& tile);
+MarkBins<ColourDotSplat> sortColours(const Marks& marks, glm::ivec2 size, const Tile& tile);
+/// The same of marks that all have this colour; absent where one has another.
+std::optional<MarkBins<DotSplat>> sortOneInk(const Marks& marks, const InkColour& ink, glm::ivec2 size,
+                                             const Tile& tile);
 
 } // namespace limner

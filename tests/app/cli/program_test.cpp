@@ -156,6 +156,27 @@ TEST_F(WithScan, RenderWritesThePictureAndItsFacts) {
     EXPECT_EQ(pixels[0], 255) << "the paper is not white";
 }
 
+TEST_F(WithScan, InkIsDrawnInSvgAndPdf) {
+    const std::string ink = R"(/stipple={"boundary":{},"layer_opacity":"under"})";
+    for (const std::string name : {"o.svg", "o.pdf", "o.png"}) {
+        const ProgramRun r = run({"render", scan(), "-o", path(name), "--size", "64x64", "--set", ink, "--json"});
+        ASSERT_EQ(r.code, 0) << r.err;
+        EXPECT_GT(r.facts().at("dots").get<int>(), 10);
+        EXPECT_EQ(r.facts().at("strokes"), 0);
+        EXPECT_EQ(r.facts().at("layers_embedded"), name != "o.png");
+        const ProgramRun said = run({"render", scan(), "-o", path(name), "--size", "64x64", "--set", ink});
+        EXPECT_NE((said.out + said.err).find(" dots"), std::string::npos) << said.out << said.err;
+        EXPECT_EQ((said.out + said.err).find("embedded as one picture") != std::string::npos, name != "o.png");
+    }
+    const ProgramRun none = run({"render", scan(), "-o", path("o.png"), "--size", "64x64"});
+    EXPECT_EQ((none.out + none.err).find(" dots"), std::string::npos);
+    const ProgramRun deep = run({"render", scan(), "-o", path("deep.svg"), "--depth", "16"});
+    EXPECT_EQ(deep.code, 2);
+    EXPECT_EQ(std::count(deep.err.begin(), deep.err.end(), '\n'), 1) << deep.err;
+    EXPECT_FALSE(exists("deep.svg"));
+    EXPECT_EQ(run({"render", scan(), "-o", path("none/o.pdf")}).code, 2);
+}
+
 TEST_F(WithScan, SizesInMillimetresMakePixelsAndDpi) {
     const ProgramRun r = run({"render", scan(), "-o", path("o.tif"), "--width-mm", "25.4", "--dpi", "100", "--json"});
     ASSERT_EQ(r.code, 0) << r.err;

@@ -4,6 +4,7 @@
 #include "gradient_backend.h"
 #include "renderer/export/pixel_rows.h"
 #include "renderer/export/srgb_profile.h"
+#include "support/small_disk.h"
 
 #include <gtest/gtest.h>
 
@@ -12,17 +13,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <csignal>
 #include <fstream>
 #include <limits>
 
-#include <sys/resource.h>
 #include <unistd.h>
 
 namespace limner {
 namespace {
 
 using testing::GradientBackend;
+using testing::SmallDisk;
 
 class PictureFileTest : public ::testing::Test {
   protected:
@@ -367,26 +367,6 @@ TEST_F(PictureFileTest, ACancelLeavesTheOldFile) {
         EXPECT_EQ(filesLeft(), 0U) << ending;
     }
 }
-
-/// Files of this process cannot grow past a limit while this lives: a full disk, as far as a writer sees.
-class SmallDisk {
-  public:
-    explicit SmallDisk(rlim_t bytes) {
-        ::getrlimit(RLIMIT_FSIZE, &old_);
-        old_signal_ = std::signal(SIGXFSZ, SIG_IGN);
-        rlimit small = old_;
-        small.rlim_cur = bytes;
-        ::setrlimit(RLIMIT_FSIZE, &small);
-    }
-    ~SmallDisk() {
-        ::setrlimit(RLIMIT_FSIZE, &old_);
-        std::signal(SIGXFSZ, old_signal_);
-    }
-
-  private:
-    rlimit old_{};
-    void (*old_signal_)(int) = nullptr;
-};
 
 TEST_F(PictureFileTest, AFullDiskLeavesTheOldFileAndSaysWhy) {
     backend_.afterTile = [](Picture& picture) { // noise does not compress

@@ -1,5 +1,7 @@
 #include "renderer/marks/lay_marks.h"
 
+#include "support/mark_crowd.h"
+
 #include <gtest/gtest.h>
 
 #include <tbb/global_control.h>
@@ -9,27 +11,16 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <random>
 
 namespace limner {
 namespace {
 
+using testing::addStroke;
+using testing::crowd;
+using testing::paper;
+
 constexpr int kSize = 64;
 constexpr double kPi = std::numbers::pi;
-
-/// Paper of as many mm as pixels.
-Marks paper(int size = kSize) {
-    Marks marks;
-    marks.paperMm = {size, size};
-    marks.groups.resize(1);
-    return marks;
-}
-
-void addStroke(MarkGroup& group, const std::vector<StrokePoint>& points, float opacity = 1, InkColour rgb = {0, 0, 0}) {
-    group.strokes.push_back(
-        {static_cast<std::uint32_t>(group.points.size()), static_cast<std::uint32_t>(points.size()), opacity, rgb});
-    group.points.insert(group.points.end(), points.begin(), points.end());
-}
 
 Picture laid(const Marks& marks, glm::ivec2 size = {kSize, kSize}) {
     Picture picture(size);
@@ -78,35 +69,10 @@ double distanceToSegment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
     return glm::distance(p, a + t * (b - a));
 }
 
-/// Dots and strokes all over, in some colours.
-Marks crowd(int dots, int strokes, int colours, int size = 200, unsigned seed = 3) {
-    Marks marks = paper(size);
-    marks.groups.resize(2);
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<float> share(0, 1);
-    const auto place = [&] { return glm::vec2(share(random), share(random)) * static_cast<float>(size + 20) - 10.0F; };
-    const auto colour = [&] {
-        const auto c = static_cast<std::uint8_t>(60 * (random() % static_cast<unsigned>(colours)));
-        return InkColour(c, 255 - c, 20);
-    };
-    for (int i = 0; i < dots; ++i)
-        marks.groups[static_cast<std::size_t>(i % 2)].dots.push_back(
-            {place(), share(random), 3 * share(random), share(random) < 0.5F ? 1 : share(random), colour()});
-    for (int i = 0; i < strokes; ++i) {
-        std::vector<StrokePoint> points{{place(), 2 * share(random)}};
-        const int count = 1 + i % 4;
-        for (int k = 0; k < count; ++k)
-            points.push_back({points.back().placeMm + 12.0F * glm::vec2(share(random) - 0.5F, share(random) - 0.5F),
-                              count == 1 ? points.back().widthMm : 2 * share(random)});
-        addStroke(marks.groups[static_cast<std::size_t>(i % 2)], points, share(random), colour());
-    }
-    return marks;
-}
-
 TEST(LayMarks, DotsCoverTheirAreaWhereverTheyLie) {
     for (const float radius : {0.01F, 0.05F, 0.2F, 0.37F, 0.5F, 0.75F, 1.0F, 1.49F, 1.51F, 2.0F, 3.3F, 10.0F, 20.0F})
         for (const glm::vec2 place : {glm::vec2(32, 32), glm::vec2(31.5F, 30.5F), glm::vec2(30.27F, 33.81F)}) {
-            Marks marks = paper();
+            Marks marks = paper(kSize);
             marks.groups[0].dots.push_back({place, 0, radius, 1, {0, 0, 0}});
             const double wanted = kPi * radius * radius;
             EXPECT_NEAR(area(laid(marks)) / wanted, 1, radius < 1.5F ? 0.003 : (radius < 2 ? 0.02 : 0.006))
@@ -116,7 +82,7 @@ TEST(LayMarks, DotsCoverTheirAreaWhereverTheyLie) {
 
 TEST(LayMarks, APixelsShareOfADotIsItsAreas) {
     for (const float radius : {0.4F, 0.8F, 1.4F, 1.6F, 2.3F, 6.0F}) {
-        Marks marks = paper();
+        Marks marks = paper(kSize);
         const glm::dvec2 place(30.3, 33.6);
         marks.groups[0].dots.push_back({place, 0, radius, 1, {0, 0, 0}});
         // Small ones lie on sixteenths of a pixel; the edge of large ones is straight within a pixel.
@@ -134,7 +100,7 @@ TEST(LayMarks, StrokesCoverTheirAreaAtEveryAngle) {
                 const glm::vec2 along(std::cos(angle), std::sin(angle));
                 double mean = 0;
                 for (int i = 0; i < 64; ++i) {
-                    Marks marks = paper();
+                    Marks marks = paper(kSize);
                     const glm::vec2 a(31 + static_cast<float>(i % 8) / 8, 31 + static_cast<float>(i / 8) / 8);
                     addStroke(marks.groups[0], {{a, width}, {a + along * length, width}});
                     mean += area(laid(marks)) / 64;
@@ -148,7 +114,7 @@ TEST(LayMarks, StrokesCoverTheirAreaAtEveryAngle) {
 TEST(LayMarks, APixelsShareOfAStrokeIsItsAreas) {
     const std::vector<glm::dvec2> places{{10.2, 50.1}, {30.4, 12.3}, {33.9, 44.4}, {55.6, 40.2}, {57.1, 20.8}};
     for (const float width : {0.5F, 1.0F, 3.0F, 8.0F}) {
-        Marks marks = paper();
+        Marks marks = paper(kSize);
         std::vector<StrokePoint> points;
         for (const glm::dvec2& place : places)
             points.push_back({place, width});
@@ -164,9 +130,9 @@ TEST(LayMarks, APixelsShareOfAStrokeIsItsAreas) {
 }
 
 TEST(LayMarks, JointsAreNoDarkerThanTheRest) {
-    Marks whole = paper();
+    Marks whole = paper(kSize);
     addStroke(whole.groups[0], {{{5.3F, 9.1F}, 2.5F}, {{55.3F, 49.1F}, 2.5F}}, 0.5F);
-    Marks pieces = paper();
+    Marks pieces = paper(kSize);
     std::vector<StrokePoint> points;
     for (int i = 0; i <= 40; ++i)
         points.push_back({glm::vec2(5.3F, 9.1F) + glm::vec2(50, 40) * (static_cast<float>(i) / 40), 2.5F});
@@ -180,7 +146,7 @@ TEST(LayMarks, JointsAreNoDarkerThanTheRest) {
 }
 
 TEST(LayMarks, WidthRunsLinearlyAlongAStroke) {
-    Marks marks = paper();
+    Marks marks = paper(kSize);
     addStroke(marks.groups[0], {{{4, 32}, 0}, {{60, 32}, 8}});
     const Picture picture = laid(marks);
     for (const int x : {12, 30, 50}) {
@@ -225,7 +191,7 @@ TEST(LayMarks, MarksOfOneColourCountAlikeInAnyOrder) {
 
 TEST(LayMarks, TheNearerDotOfAnotherColourLiesOverTheFarther) {
     for (const bool redFirst : {false, true}) {
-        Marks marks = paper();
+        Marks marks = paper(kSize);
         const Dot red{{32, 32}, 5, 10, 1, {255, 0, 0}}; // nearer
         const Dot blue{{32, 32}, -5, 10, 1, {0, 0, 255}};
         marks.groups[0].dots = redFirst ? std::vector{red, blue} : std::vector{blue, red};
@@ -237,7 +203,7 @@ TEST(LayMarks, TheNearerDotOfAnotherColourLiesOverTheFarther) {
 }
 
 TEST(LayMarks, LaterGroupsLieOverEarlierOnes) {
-    Marks marks = paper();
+    Marks marks = paper(kSize);
     marks.groups.resize(2);
     marks.groups[0].dots.push_back({{32, 32}, 5, 10, 1, {255, 0, 0}});
     marks.groups[1].dots.push_back({{32, 32}, -5, 10, 0.5F, {0, 0, 255}});
@@ -247,7 +213,7 @@ TEST(LayMarks, LaterGroupsLieOverEarlierOnes) {
 }
 
 TEST(LayMarks, LayersLieOverOrUnderTheMarks) {
-    Marks marks = paper();
+    Marks marks = paper(kSize);
     marks.groups[0].dots.push_back({{32, 32}, 0, 30, 0.5F, {0, 255, 0}});
     const std::array<float, 4> layer{0.6F, 0, 0, 0.75F};
     for (const MarkOrder order : {MarkOrder::underLayers, MarkOrder::overLayers}) {
@@ -266,7 +232,7 @@ TEST(LayMarks, LayersLieOverOrUnderTheMarks) {
 TEST(LayMarks, WhatIsNotFiniteOrOffThePageIsLeftOut) {
     constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
-    Marks marks = paper();
+    Marks marks = paper(kSize);
     MarkGroup& group = marks.groups[0];
     for (const float bad : {kNan, kInfinity, -kInfinity, 1e30F, -1e30F, 500.0F, -500.0F}) {
         group.dots.push_back({{bad, 32}, 0, 1, 1, {0, 0, 0}});
@@ -289,7 +255,7 @@ TEST(LayMarks, WhatIsNotFiniteOrOffThePageIsLeftOut) {
 }
 
 TEST(LayMarks, OnlyThePartOnThePageIsLaid) {
-    Marks marks = paper();
+    Marks marks = paper(kSize);
     marks.groups[0].dots.push_back({{0, 32}, 0, 5, 1, {0, 0, 0}});
     marks.groups[0].dots.push_back({{64, 0}, 0, 1, 1, {0, 0, 0}});
     addStroke(marks.groups[0], {{{-40, 20}, 2}, {{100, 20}, 2}});
