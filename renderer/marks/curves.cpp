@@ -1,5 +1,6 @@
 #include "renderer/marks/curves.h"
 
+#include "renderer/marks/neighbours.h"
 #include "renderer/marks/pen.h"
 
 #include <glm/common.hpp>
@@ -25,9 +26,11 @@ constexpr float kThinnest = 0.4F;
 constexpr float kThickest = 1.3F;
 /// Moving: voxels further from the surface than this draw what their neighbours draw.
 constexpr float kNearVoxels = 0.55F;
-/// Voxels whose cubes may hold a silhouette: the others have neighbours that turn the same way.
-constexpr float kTurningAway = 0.95F;
-constexpr double kShortestVoxels = 5;
+/// Still: |n.e| below which a voxel may be at a silhouette although none beside it turns the other way.
+constexpr float kTurning = 0.12F;
+constexpr double kShortestVoxels = 8;
+/// Lines go on where the gradient is lower than asked for, down to this share.
+constexpr float kGoesOn = 0.6F;
 constexpr std::size_t kChunk = 1U << 14U;
 
 struct DepthRange {
@@ -156,7 +159,7 @@ std::vector<PennedLines> movingSilhouettes(const LineScene& scene, const Stipple
     return inOneOrder(parts, layerCount);
 }
 
-/// How much every voxel's normal points to the eye.
+/// How much the normals point to the eye.
 std::vector<float> facings(const LineScene& scene, const std::vector<glm::vec3>& normals,
                            const std::vector<std::uint8_t>& use) {
     const MarkField& field = scene.field;
@@ -169,23 +172,39 @@ std::vector<float> facings(const LineScene& scene, const std::vector<glm::vec3>&
     return facing;
 }
 
+/// Voxels whose cubes may hold a silhouette: one beside them turns the other way.
+std::vector<std::uint8_t> turning(const MarkField& field, const std::vector<float>& facing) {
+    std::vector<std::uint8_t> are(facing.size());
+    tbb::parallel_for(std::size_t{0}, are.size(), [&](std::size_t i) {
+        bool turns = std::abs(facing[i]) < kTurning;
+        if (!turns) {
+            forNeighbours(field, i, [&](std::uint32_t j, const glm::ivec3&) {
+                turns = turns || facing[j] * std::copysign(1.0F, facing[i]) < kTurning;
+            });
+        }
+        are[i] = turns ? 1 : 0;
+    });
+    return are;
+}
+
 std::vector<PennedLines> stillSilhouettes(const LineScene& scene, const StippleCurves& settings) {
     const MarkField& field = scene.field;
     const std::size_t count = field.voxels.size();
-    std::vector<std::uint8_t> use(count);
+    std::vector<float> raw(count);
     std::vector<std::uint8_t> strong(count);
     std::vector<float> gradient(count);
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
         const MarkVoxel& voxel = field.voxels[i];
-        const float facing = glm::dot(voxel.normalMm, scene.view.towardsEye(field.placeMm(voxel)));
-        use[i] = std::abs(facing) < kTurningAway ? 1 : 0;
-        strong[i] = fits(voxel, facing, settings) ? 1 : 0;
+        raw[i] = glm::dot(voxel.normalMm, scene.view.towardsEye(field.placeMm(voxel)));
+        strong[i] = fits(voxel, raw[i], settings) ? 1 : 0;
         gradient[i] = voxel.gradient;
     });
+    const std::vector<std::uint8_t> use = turning(field, raw);
+    const float least = kGoesOn * static_cast<float>(settings.gradient);
     const SmoothSurface surface = smoothSurface(field, use);
     const std::vector<float> facing = facings(scene, surface.normals, use);
-    std::vector<SurfaceLine> lines = zeroLines(
-        field, {use, surface, facing, {}, gradient, static_cast<float>(settings.gradient), strong}, kShortestVoxels);
+    std::vector<SurfaceLine> lines =
+        zeroLines(field, {use, surface, facing, {}, gradient, least, strong}, kShortestVoxels);
     const SilhouetteWidth width(scene, settings.widthBy);
     const bool anythingHides = scene.depth.hides();
     return drawWithPen(scene, std::move(lines), {settings.widthMm, settings.hiddenLines, true},

@@ -23,27 +23,29 @@ constexpr float kGoesOn = 0.6F;
 constexpr float kLeastApart = 0.25F;
 /// n.e below which a ridge all but lies on the silhouette.
 constexpr float kLeastFacing = 0.35F;
+/// Voxels of the surface's skirts know little of it.
+constexpr float kBeyondVoxels = 4;
 constexpr float kThinnest = 0.45F;
 
-/// Curvature of one sign times the voxel, for ridges or for valleys, as the surface's own: voxels beside it lie on
-/// parallel surfaces, which bend less outside and more inside.
-class Strengths {
+/// Curvature times the voxel as the surface's own: voxels beside it lie on parallel surfaces, which bend less outside
+/// and more inside.
+class Bends {
   public:
-    Strengths(const MarkField& field, float sign)
-        : field_(field), sign_(sign), voxelMm_(static_cast<float>(field.mmPerVoxel)),
-          mmFromVoxel_(field.grid.voxelToMmMatrix()), strength_(field.voxels.size(), 0) {
-        tbb::parallel_for(std::size_t{0}, strength_.size(), [&](std::size_t i) {
+    explicit Bends(const MarkField& field)
+        : field_(field), voxelMm_(static_cast<float>(field.mmPerVoxel)), mmFromVoxel_(field.grid.voxelToMmMatrix()),
+          bends_(field.voxels.size(), 0) {
+        tbb::parallel_for(std::size_t{0}, bends_.size(), [&](std::size_t i) {
             const float bend = field.curvatures[i].most;
             const float outside = -field.voxels[i].edgeOffsetMm;
-            const float onSurface = bend / std::clamp(1 - bend * outside, 0.5F, 2.0F);
-            strength_[i] = sign_ * onSurface * voxelMm_;
+            bends_[i] = bend / std::clamp(1 - bend * outside, 0.5F, 2.0F) * voxelMm_;
         });
         for (int step = 0; step < 2; ++step) {
             smooth();
         }
     }
 
-    [[nodiscard]] const std::vector<float>& all() const { return strength_; }
+    /// Positive: ridges.
+    [[nodiscard]] const std::vector<float>& all() const { return bends_; }
 
     [[nodiscard]] bool known(std::size_t i) const {
         const MarkCurvature& c = field_.curvatures[i];
@@ -51,7 +53,11 @@ class Strengths {
                std::abs(c.most - c.least) > kLeastApart * std::abs(c.most);
     }
 
-    /// How strength changes along a voxel's direction, per voxel: a line through it and its neighbours.
+    [[nodiscard]] bool nearSurface(std::size_t i) const {
+        return std::abs(field_.voxels[i].edgeOffsetMm) < kBeyondVoxels * voxelMm_;
+    }
+
+    /// How the bend changes along a voxel's direction, per voxel: a line through it and its neighbours.
     [[nodiscard]] float change(std::size_t index) const {
         const glm::vec3 direction = field_.curvatures[index].directionMm;
         glm::vec3 sums(0); // of weights, places, values
@@ -60,9 +66,9 @@ class Strengths {
         forNeighbours(field_, index, [&](std::uint32_t j, const glm::ivec3& step) {
             const float weight = alike(index, j);
             const float along = glm::dot(mmFromVoxel_ * glm::vec3(step), direction) / voxelMm_;
-            sums += weight * glm::vec3(1, along, strength_[j]);
+            sums += weight * glm::vec3(1, along, bends_[j]);
             ofSquares += weight * along * along;
-            ofProducts += weight * along * strength_[j];
+            ofProducts += weight * along * bends_[j];
         });
         const float spread = sums.x * ofSquares - sums.y * sums.y;
         return spread > 1e-6F * sums.x * sums.x ? (sums.x * ofProducts - sums.y * sums.z) / spread : 0;
@@ -75,41 +81,47 @@ class Strengths {
     }
 
     void smooth() {
-        std::vector<float> smoother(strength_.size(), 0);
-        tbb::parallel_for(std::size_t{0}, strength_.size(), [&](std::size_t i) {
+        std::vector<float> smoother = bends_;
+        tbb::parallel_for(std::size_t{0}, bends_.size(), [&](std::size_t i) {
+            if (!nearSurface(i)) {
+                return;
+            }
             glm::vec2 sum(0);
             forNeighbours(field_, i,
-                          [&](std::uint32_t j, const glm::ivec3&) { sum += alike(i, j) * glm::vec2(strength_[j], 1); });
+                          [&](std::uint32_t j, const glm::ivec3&) { sum += alike(i, j) * glm::vec2(bends_[j], 1); });
             smoother[i] = sum.y > 0 ? sum.x / sum.y : 0;
         });
-        strength_ = std::move(smoother);
+        bends_ = std::move(smoother);
     }
 
     const MarkField& field_;
-    float sign_;
     float voxelMm_;
     glm::mat3 mmFromVoxel_;
-    std::vector<float> strength_;
+    std::vector<float> bends_;
 };
 
-void addLines(const MarkField& field, float sign, double asked, std::vector<SurfaceLine>& lines) {
-    const Strengths strengths(field, sign);
+/// `sign`: 1 for ridges, -1 for valleys.
+void addLines(const MarkField& field, const Bends& bends, float sign, double asked, std::vector<SurfaceLine>& lines) {
     const std::size_t count = field.voxels.size();
     const float least = kGoesOn * static_cast<float>(asked);
     std::vector<std::uint8_t> use(count);
     std::vector<std::uint8_t> strong(count);
+    std::vector<float> strength(count);
     std::vector<float> change(count, 0);
     std::vector<glm::vec3> axis(count, glm::vec3(0));
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-        const float strength = strengths.all()[i];
-        use[i] = strengths.known(i) && sign * field.curvatures[i].most > 0 && strength > 0.5F * least ? 1 : 0;
-        strong[i] = strength >= static_cast<float>(asked) ? 1 : 0;
+        strength[i] = sign * bends.all()[i];
+        use[i] =
+            bends.nearSurface(i) && bends.known(i) && sign * field.curvatures[i].most > 0 && strength[i] > 0.5F * least
+                ? 1
+                : 0;
+        strong[i] = strength[i] >= static_cast<float>(asked) ? 1 : 0;
         axis[i] = field.curvatures[i].directionMm;
-        change[i] = use[i] != 0 ? strengths.change(i) : 0;
+        change[i] = use[i] != 0 ? sign * bends.change(i) : 0;
     });
     const SmoothSurface surface = smoothSurface(field, use);
     const std::vector<SurfaceLine> found =
-        zeroLines(field, {use, surface, change, axis, strengths.all(), least, strong}, kShortestVoxels);
+        zeroLines(field, {use, surface, change, axis, strength, least, strong}, kShortestVoxels);
     lines.insert(lines.end(), found.begin(), found.end());
 }
 
@@ -120,11 +132,12 @@ std::vector<SurfaceLine> traceInnerLines(const MarkField& field, const StippleIn
     if (field.curvatures.size() != field.voxels.size() || field.voxels.empty()) {
         return lines;
     }
+    const Bends bends(field);
     if (settings.ridges > 0) {
-        addLines(field, 1, settings.ridges, lines);
+        addLines(field, bends, 1, settings.ridges, lines);
     }
     if (settings.valleys > 0) {
-        addLines(field, -1, settings.valleys, lines);
+        addLines(field, bends, -1, settings.valleys, lines);
     }
     return lines;
 }

@@ -19,6 +19,8 @@ constexpr int kPaperSteps = 3;
 constexpr float kStepVoxels = 0.7F;
 /// Changes between visible and hidden closer than this are noise.
 constexpr float kLeastRunVoxels = 3;
+/// Shorter lines behind matter tell nothing.
+constexpr float kLeastHiddenVoxels = 12;
 /// Points that the line hits without them are left out: mm on paper.
 constexpr float kFlatMm = 0.004F;
 /// A tapered line's width at its end, and the length of the taper in widths.
@@ -212,6 +214,9 @@ class Drawer {
   private:
     void addRun(const std::vector<PenPoint>& points, Run run, bool closed, PennedLines& lines) const {
         if (points.size() < 2 || run == Run::absent || (run == Run::hidden && pen_.hiddenLines == "none")) {
+            return;
+        }
+        if (run == Run::hidden && static_cast<float>(points.size()) * kStepVoxels < kLeastHiddenVoxels) {
             return;
         }
         const bool dashed = run == Run::hidden && pen_.hiddenLines == "dashed";

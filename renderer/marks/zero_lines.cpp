@@ -3,6 +3,7 @@
 #include "renderer/marks/join_lines.h"
 #include "renderer/marks/neighbours.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -12,6 +13,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace limner {
 
@@ -47,6 +49,9 @@ class Tetrahedra {
 
     /// The six around the diagonal of the cube over `corners` (x fastest); absent corners are kNone.
     void addCube(const std::array<std::uint32_t, 8>& corners, std::vector<Piece>& pieces) const {
+        if (!mayCross(corners)) {
+            return;
+        }
         static constexpr int kOrders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
         for (const auto& order : kOrders) {
             std::array<std::uint32_t, 4> v{corners[0], 0, 0, corners[7]};
@@ -61,6 +66,23 @@ class Tetrahedra {
     static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 
   private:
+    /// False where all corners that are there lie on one side of zero.
+    [[nodiscard]] bool mayCross(const std::array<std::uint32_t, 8>& corners) const {
+        constexpr float close = 1e-3F; // more than numbers are nudged
+        glm::vec2 low(std::numeric_limits<float>::max());
+        glm::vec2 high(std::numeric_limits<float>::lowest());
+        for (const std::uint32_t i : corners) {
+            if (i != kNone) {
+                const glm::vec2 own(request_.surface.distances[i] / static_cast<float>(field_.mmPerVoxel),
+                                    request_.number[i]);
+                low = glm::min(low, own);
+                high = glm::max(high, own);
+            }
+        }
+        const bool surface = low.x < close && high.x > -close;
+        return surface && (!request_.axis.empty() || (low.y < close && high.y > -close));
+    }
+
     void addPiece(const std::array<std::uint32_t, 4>& v, const int (&order)[3], std::vector<Piece>& pieces) const {
         Piece piece;
         unsigned found = 0;
