@@ -1,6 +1,7 @@
 #include "renderer/marks/draw_marks.h"
 
 #include "renderer/marks/curves.h"
+#include "renderer/marks/hatching.h"
 #include "renderer/marks/ink.h"
 #include "renderer/marks/inner_lines.h"
 
@@ -18,6 +19,13 @@ void append(Marks& marks, std::vector<MarkGroup> groups) {
 /// Lines lie over dots: they hold a drawing together.
 void addLines(const MarkScene& scene, const PlanMarks& plan, Marks& marks, Task& task) {
     const LineScene lines{scene.field, scene.view, scene.depth, scene.plain, scene.moving};
+    if (const auto& hatching = scene.stipple.hatching) {
+        std::vector<float> tone(scene.ink.size());
+        std::transform(scene.ink.begin(), scene.ink.end(), tone.begin(), [](const VoxelInk& ink) { return ink.tone; });
+        append(marks,
+               drawHatching(lines, *hatching, tone, scene.colours, static_cast<std::uint32_t>(scene.stipple.seed)));
+    }
+    task.throwIfCancelled();
     if (const auto& inner = scene.stipple.innerLines; inner && plan.innerLines) {
         append(marks, drawInnerLines(lines, *plan.innerLines, *inner));
     }

@@ -31,7 +31,6 @@ constexpr float kWithin = 0.64F;
 constexpr int kAround = 2;
 /// Fainter tones have no strokes; voxels with less of their surface's ink may lie beside it.
 constexpr float kFaintest = 0.01F;
-constexpr float kLeastPart = 0.05F;
 constexpr float kMatter = 0.25F;
 /// Difference of the principal curvatures, per voxel, at which their directions are half certain.
 constexpr float kCertain = 0.04F;
@@ -41,7 +40,7 @@ constexpr float kFallback = 0.04F;
 /// Whether a voxel is of a surface that hatching sees: it has a tone, or hides what is behind although it is all light.
 bool onSurface(const LineScene& scene, std::span<const float> tone, std::size_t i) {
     const MarkVoxel& voxel = scene.field.voxels[i];
-    return voxel.part >= kLeastPart &&
+    return voxel.share > 0 &&
            (tone[i] >= kFaintest || (voxel.value >= kMatter &&
                                      glm::dot(voxel.normalMm, scene.view.towardsEye(scene.field.placeMm(voxel))) > 0));
 }

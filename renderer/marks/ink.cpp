@@ -128,14 +128,14 @@ struct DotLaw {
 
     void apply(const Factors::Result& factors, double points, VoxelInk& ink) const {
         const float size = std::max(factors.size, kSmallestDot);
+        ink.tone = std::clamp(factors.tone, 0.0F, 1.0F);
+        const double asked = density * static_cast<double>(factors.tone);
         double share = 0;
         if (stipple.tone == "ink") {
-            ink.tone = static_cast<float>(std::min(density * static_cast<double>(factors.tone), kFullestTone));
-            share = pattern.densityFor(static_cast<double>(ink.tone)) / static_cast<double>(size * size);
+            share = pattern.densityFor(std::min(asked, kFullestTone)) / static_cast<double>(size * size);
         } else {
-            ink.tone = static_cast<float>(std::min(density * static_cast<double>(factors.tone), 1.0));
             const double shrunk = static_cast<double>(factors.size) / static_cast<double>(size);
-            share = density * static_cast<double>(factors.tone) * shrunk * shrunk;
+            share = asked * shrunk * shrunk;
         }
         ink.dots = static_cast<float>(points * share * static_cast<double>(factors.count));
         ink.radiusMm = static_cast<float>(0.5 * stipple.sizeMm) * size * factors.shrinking;
@@ -222,7 +222,7 @@ MarkScene makeMarkScene(const RenderPlan& plan, const MarkField& field, bool mov
         const double scale = std::max(static_cast<double>(ink.at.scale), field.paperPerMm);
         const double points = static_cast<double>(voxel.share * ink.facing) * cell * scale * scale / dot;
         law.apply(factors.of(voxel, ink.at, scene.view.seen(voxel.normalMm), cosine), points, ink);
-        if (stipple.fromStyle && ink.dots > 0 && scene.depth.visible(ink.at) > 0) {
+        if (stipple.fromStyle && ink.tone > 0 && scene.depth.visible(ink.at) > 0) {
             scene.colours[i] = colourAt(plan, field, scene.view, voxel);
         }
     });

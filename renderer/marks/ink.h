@@ -11,7 +11,7 @@ namespace limner {
 /// What a mark voxel asks for in one view (core/optics/stipple.h).
 struct VoxelInk {
     PlaceOnPaper at;
-    float tone = 0;     ///< share of inked paper (stipple `tone` "ink") or of the most dots ("count"); 0: nothing
+    float tone = 0;     ///< product of the factors, in [0, 1]; 0: nothing is drawn
     float dots = 0;     ///< expected number
     float radiusMm = 0; ///< of the dots, on paper
     float facing = 0;   ///< |n.e|
