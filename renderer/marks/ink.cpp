@@ -19,6 +19,9 @@ namespace limner {
 namespace {
 
 constexpr double kMostPoints = 5e7; ///< in all lists together (numerics 2e)
+/// Opacity of layers from which there are marks, and from which marks are whole: what hardly shows is not drawn.
+constexpr float kFaintMatter = 0.2F;
+constexpr float kFullMatter = 0.6F;
 /// A tone of 1 would ask for dots without end.
 constexpr double kFullestTone = 0.985;
 
@@ -34,7 +37,8 @@ double halfDepth(const Grid& grid, const glm::dvec3& direction) {
 class Factors {
   public:
     Factors(const RenderPlan& plan, const MarkField& field, const MarkView& view)
-        : stipple_(*plan.figure->stipple), wholeScale_(static_cast<float>(field.paperPerMm)),
+        : stipple_(*plan.figure->stipple), ofLayers_(stipple_.matter == "layers"),
+          wholeScale_(static_cast<float>(field.paperPerMm)),
           halfDepth_(static_cast<float>(halfDepth(plan.volume->grid(), view.frame().forward))),
           centreDepth_(view.place(plan.volume->grid().centreMm()).depthMm) {
         if (stipple_.lighting) {
@@ -54,6 +58,9 @@ class Factors {
                             float cosineEye) const {
         Result result;
         result.size = voxel.gradient;
+        if (ofLayers_) {
+            result.tone = optics::smoothStep<float>(kFaintMatter, kFullMatter, voxel.value);
+        }
         if (const auto& k = stipple_.boundary) {
             result.tone *= optics::boundaryFactor<float>(voxel.value, voxel.gradient, curve(k->kgc, k->kgs, k->kge));
         }
@@ -95,6 +102,7 @@ class Factors {
     }
 
     const Stipple& stipple_;
+    bool ofLayers_;
     float wholeScale_;
     float halfDepth_;
     float centreDepth_;

@@ -242,8 +242,6 @@ class FieldMaker {
         const glm::vec3 g = mmFromIndex_ * slope.gradient;
         voxel.normalMm = -g / std::max(glm::length(g), std::numeric_limits<float>::min());
         voxel.layer = matterAt(cell, slope.value).layer;
-        const ValueRange range = plan_.volume->range();
-        voxel.dataValue = static_cast<float>(range.low + static_cast<double>(slope.value) * (range.high - range.low));
         if (stipple_.curves) {
             voxel.edge = laplacianOfGaussian(values_, cell);
         }
@@ -257,6 +255,7 @@ class FieldMaker {
     struct Side {
         double weight = 0;
         double value = 0;   ///< times weight
+        double data = 0;    ///< the same of the scan's own value over its range
         double largest = 0; ///< weight
         float magnitude = 0;
     };
@@ -269,9 +268,11 @@ class FieldMaker {
         Side side;
         side.magnitude = magnitudes_.at(cell.x, cell.y, cell.z);
         if (side.magnitude >= least_) {
-            const auto v = static_cast<double>(matterAt(cell, values_.at(cell.x, cell.y, cell.z)).value);
+            const float data = values_.at(cell.x, cell.y, cell.z);
+            const auto v = static_cast<double>(matterAt(cell, data).value);
             side.weight = static_cast<double>(side.magnitude) * v;
             side.value = side.weight * v;
+            side.data = side.weight * static_cast<double>(data);
         }
         return side;
     }
@@ -289,6 +290,7 @@ class FieldMaker {
             falling = falling || next.weight < before;
             sum.weight += next.weight;
             sum.value += next.value;
+            sum.data += next.data;
             sum.largest = std::max(sum.largest, next.weight);
             sum.magnitude = std::max(sum.magnitude, next.magnitude);
             before = next.weight;
@@ -330,6 +332,9 @@ class FieldMaker {
             return; // beside matter
         }
         voxel.value = static_cast<float>((low.value + own.value + high.value) / sum);
+        const ValueRange range = plan_.volume->range();
+        voxel.dataValue =
+            static_cast<float>(range.low + (low.data + own.data + high.data) / sum * (range.high - range.low));
         voxel.gradient = std::min(std::max({low.magnitude, own.magnitude, high.magnitude}) / largest_, 1.0F);
         voxel.edgeOffsetMm = cellsToEdge(cell, axis) * static_cast<float>(rises[axis]);
         // The surface over a face, in faces of a cube of the cell's volume.
