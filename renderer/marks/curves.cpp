@@ -83,11 +83,15 @@ glm::vec2 stepOnPaper(const MarkView& view, const glm::vec3& direction) {
     return {seen.x, -seen.y};
 }
 
+float seenOutside(const LineScene& scene, const PlaceOnPaper& at, const glm::vec3& normal, float voxels) {
+    const float step = voxels * static_cast<float>(scene.field.mmPerVoxel) * at.scale;
+    return scene.depth.visible({at.mm + step * stepOnPaper(scene.view, normal), at.depthMm, at.scale});
+}
+
 float seenBeside(const LineScene& scene, const PlaceOnPaper& at, const glm::vec3& normal) {
-    const glm::vec2 out = stepOnPaper(scene.view, normal) * (static_cast<float>(scene.field.mmPerVoxel) * at.scale);
     float shown = 0;
     for (const float voxels : kOutsideVoxels) {
-        shown = std::max(shown, scene.depth.visible({at.mm + voxels * out, at.depthMm, at.scale}));
+        shown = std::max(shown, seenOutside(scene, at, normal, voxels));
     }
     return shown;
 }
@@ -122,7 +126,7 @@ class MovingSilhouette {
         if (!(at.scale > 0) || !(length > 0)) {
             return;
         }
-        const bool visible = seenBeside(scene_, at, voxel.normalMm) >= 0.5F;
+        const bool visible = seenOutside(scene_, at, voxel.normalMm, 1.5F) >= 0.5F;
         const bool dashes = settings_.hiddenLines == "dashed";
         if (!visible && (settings_.hiddenLines == "none" ||
                          (dashes && (voxel.cell.x / 3 + voxel.cell.y / 3 + voxel.cell.z / 3) % 2 != 0))) {
