@@ -230,7 +230,7 @@ MarkScene makeMarkScene(const RenderPlan& plan, const MarkField& field, bool mov
         const double scale = std::max(static_cast<double>(ink.at.scale), field.paperPerMm);
         const double points = static_cast<double>(voxel.share * ink.facing) * cell * scale * scale / dot;
         law.apply(factors.of(voxel, ink.at, scene.view.seen(voxel.normalMm), cosine), points, ink);
-        if (stipple.fromStyle && ink.tone > 0 && scene.depth.visible(ink.at) > 0) {
+        if (stipple.fromStyle && ink.tone > 0) {
             scene.colours[i] = colourAt(plan, field, scene.view, voxel);
         }
     });
