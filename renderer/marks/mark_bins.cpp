@@ -19,6 +19,9 @@ constexpr std::size_t kDotsPerChunk = 4096;
 constexpr std::size_t kStrokesPerChunk = 2048;
 // Beyond any picture: such places are no drawing, and single precision does not count pixels there.
 constexpr double kFarthest = 2e6;
+// Points of an outlined stroke that are nearer to one another, in pixels, count as one: a line that turns back on
+// itself within that would be drawn twice.
+constexpr float kSamePlace = 0.05F;
 
 // Rounded places and straight edges reach that many pixels farther than the dots themselves.
 constexpr double kDotMargin = 0.25;
@@ -187,7 +190,7 @@ bool strokePoints(std::span<const StrokePoint> points, const ToPixels& to, std::
     for (const StrokePoint& point : points) {
         const OutlinePoint next{glm::vec2(glm::dvec2(point.placeMm) * to.scale - glm::dvec2(origin)),
                                 static_cast<float>(0.5 * point.widthMm * to.radiusScale)};
-        if (!out.empty() && glm::distance(out.back().place, next.place) < 1e-3F)
+        if (!out.empty() && glm::distance(out.back().place, next.place) < kSamePlace)
             out.back().radius = std::max(out.back().radius, next.radius);
         else
             out.push_back(next);

@@ -145,6 +145,12 @@ TEST(LayMarks, JointsAreNoDarkerThanTheRest) {
     EXPECT_NEAR(most, 0.5, 1e-5);
 }
 
+TEST(LayMarks, AStrokeThatHardlyMovesIsADot) {
+    Marks marks = paper(kSize);
+    addStroke(marks.groups[0], {{{30.3F, 30.6F}, 2.4F}, {{30.32F, 30.6F}, 2.4F}, {{30.29F, 30.6F}, 2.4F}});
+    EXPECT_NEAR(area(laid(marks)), kPi * 1.44, 0.06);
+}
+
 TEST(LayMarks, WidthRunsLinearlyAlongAStroke) {
     Marks marks = paper(kSize);
     addStroke(marks.groups[0], {{{4, 32}, 0}, {{60, 32}, 8}});
