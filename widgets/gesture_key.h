@@ -24,6 +24,14 @@ class GestureKey {
         return name_;
     }
 
+    /// The key of a gesture whose button is still down, or is let go now: however long the hand rests.
+    std::string during(const std::string& name) {
+        if (!name_.starts_with(name + "#"))
+            return begin(name);
+        clock_.restart();
+        return name_;
+    }
+
   private:
     std::string name_;
     unsigned number_ = 0;

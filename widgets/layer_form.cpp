@@ -171,8 +171,9 @@ void LayerForm::editLayer(const Words& words, const std::function<void(Layer&)>&
 }
 
 void LayerForm::setOpacity(double opacity, bool ongoing) {
-    editLayer({tr("Change layer opacity"), key_.again("layer/opacity"), ongoing},
-              [&](Layer& layer) { layer.opacity = opacity; });
+    editLayer(
+        {tr("Change layer opacity"), ongoing ? key_.during("layer/opacity") : key_.again("layer/opacity"), ongoing},
+        [&](Layer& layer) { layer.opacity = opacity; });
 }
 
 } // namespace limner

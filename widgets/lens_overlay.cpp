@@ -155,9 +155,9 @@ void LensOverlay::mouseMoveEvent(QMouseEvent* event) {
     dragMoved_ = true;
     const glm::dvec2 to = toSheet(event->position() + grab_);
     if (drag_ == Drag::middle)
-        moveTo(to, key_.again("lens/center"), true);
+        moveTo(to, key_.during("lens/center"), true);
     else
-        resizeTo(lens()->radius * lensDistance(*lens(), to - *at), key_.again("lens/radius"), true);
+        resizeTo(lens()->radius * lensDistance(*lens(), to - *at), key_.during("lens/radius"), true);
 }
 
 void LensOverlay::mouseReleaseEvent(QMouseEvent* event) {

@@ -87,7 +87,7 @@ void LightBall::mousePressEvent(QMouseEvent* event) {
 
 void LightBall::mouseMoveEvent(QMouseEvent* event) {
     if (dragging_)
-        Q_EMIT moved(directionAt(event->position()), gesture_.again("light/direction"), true);
+        Q_EMIT moved(directionAt(event->position()), gesture_.during("light/direction"), true);
 }
 
 void LightBall::mouseReleaseEvent(QMouseEvent* event) {

@@ -61,11 +61,12 @@ void ParameterRow::connectParts() {
     });
     connect(slider_, &QSlider::valueChanged, this, [this] {
         dragged_ = slider_->isSliderDown();
-        Q_EMIT changed(sliderValue(), key_.again(pointer_), slider_->isSliderDown());
+        const bool down = slider_->isSliderDown();
+        Q_EMIT changed(sliderValue(), down ? key_.during(pointer_) : key_.again(pointer_), down);
     });
     connect(slider_, &QSlider::sliderReleased, this, [this] {
         if (std::exchange(dragged_, false))
-            Q_EMIT changed(sliderValue(), key_.again(pointer_), false);
+            Q_EMIT changed(sliderValue(), key_.during(pointer_), false);
     });
     connect(box_, &QDoubleSpinBox::valueChanged, this,
             [this](double value) { Q_EMIT changed(value, key_.again(pointer_), false); });

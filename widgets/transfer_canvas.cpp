@@ -211,7 +211,7 @@ void TransferCanvas::dragTo(QPointF position, Qt::KeyboardModifiers modifiers) {
         changed.nodes = withNodeMoved(changed.nodes, selected_->index, dragTransfer_.nodes[selected_->index].at + by);
         label = tr("Move style");
     }
-    const std::string key = key_.again(drag_ == Drag::segment ? "transfer/segment" : "transfer/handle");
+    const std::string key = key_.during(drag_ == Drag::segment ? "transfer/segment" : "transfer/handle");
     emitTransfer(changed, label, key, true);
 }
 
