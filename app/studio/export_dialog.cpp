@@ -24,7 +24,8 @@ struct Format {
     const char* text;
     bool alpha;
     bool sixteen;
-    int bytesPerSample; ///< at the format's own depth
+    int bytesPerSample;  ///< at the format's own depth
+    bool vector = false; ///< ink stays circles and paths
 };
 
 constexpr Format kFormats[] = {
@@ -33,6 +34,9 @@ constexpr Format kFormats[] = {
     {"jpg", QT_TRANSLATE_NOOP("limner::ExportDialog", "JPEG – small, with losses"), false, false, 1},
     {"webp", QT_TRANSLATE_NOOP("limner::ExportDialog", "WebP – web pages"), true, false, 1},
     {"exr", QT_TRANSLATE_NOOP("limner::ExportDialog", "OpenEXR – compositing, 32-bit float"), true, false, 4},
+    {"svg", QT_TRANSLATE_NOOP("limner::ExportDialog", "SVG – ink as circles and paths, to go on drawing"), true, false,
+     1, true},
+    {"pdf", QT_TRANSLATE_NOOP("limner::ExportDialog", "PDF – ink as circles and paths, print"), true, false, 1, true},
 };
 
 QDoubleSpinBox* lengthField(double valueMm, const QString& name) {
@@ -152,8 +156,10 @@ void ExportDialog::showEstimate() {
     const double pixels = static_cast<double>(size.x) * size.y;
     const int bytes = chosen.depth == SampleDepth::sixteen ? 2 : format.bytesPerSample;
     const double raw = pixels * bytes * (chosen.output.transparent || format.bytesPerSample == 4 ? 4 : 3);
-    QString text = tr("<b>%1 × %2 pixels</b><br>at most %3 before compression")
-                       .arg(QLocale().toString(size.x), QLocale().toString(size.y), bytesText(raw));
+    const QString facts = format.vector
+                              ? tr("<b>Ink as vectors</b>; shaded layers as a picture of<br>%1 × %2 pixels, at most %3")
+                              : tr("<b>%1 × %2 pixels</b><br>at most %3 before compression");
+    QString text = facts.arg(QLocale().toString(size.x), QLocale().toString(size.y), bytesText(raw));
     if (secondsPerMegaPixel_ > 0)
         text += tr("; %1 to draw").arg(durationText(pixels * 1e-6 * secondsPerMegaPixel_ * chosen.samplesPerPixel));
     estimate_->setText(text);

@@ -1,4 +1,5 @@
 // The real window, driven by mouse and keys.
+#include "app/studio/export_dialog.h"
 #include "app/studio/main_window.h"
 
 #include "app/studio/studio_theme.h"
@@ -30,6 +31,7 @@
 
 #include <QCheckBox>
 #include <QClipboard>
+#include <QComboBox>
 #include <QDropEvent>
 #include <QLabel>
 #include <QListWidget>
@@ -547,6 +549,21 @@ TEST(Studio, TheStipplePanelChangesTheFigureWhileItsSlidersMove) {
     studio.trigger("edit.undo");
     EXPECT_FALSE(studio.figure().stipple);
     EXPECT_FALSE(action->isChecked());
+}
+
+TEST(Studio, EveryKindOfFileThatExportOffersCanBeWritten) {
+    Studio studio;
+    ASSERT_TRUE(studio.openSample());
+    ExportDialog dialog(studio.figure(), 0);
+    QStringList endings;
+    for (const QComboBox* box : dialog.findChildren<QComboBox*>())
+        for (int i = 0; i < box->count(); ++i)
+            if (box->itemData(i).typeId() == QMetaType::QString)
+                endings << box->itemData(i).toString();
+    EXPECT_TRUE(endings.contains("png") && endings.contains("svg") && endings.contains("pdf"));
+    for (const QString& ending : endings)
+        EXPECT_NO_THROW(checkExport("picture." + ending.toStdString(), {0, 0}, PictureOptions{}))
+            << ending.toStdString();
 }
 
 TEST(Studio, TheShownPictureCanBeCopied) {
