@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Compiles headers alone, twice in one file, with the flags of the target that they belong to.
 
-Those that their own source includes first are left out: the build compiles them alone already.
+Those that a source includes first are left out: the build compiles them alone already.
 """
 
 import json
@@ -63,17 +63,25 @@ def problem_of(root, path, command):
     return f"{path}: {(errors or done.stderr.splitlines())[0]}"
 
 
-def proven_by_source(root, path):
-    """Whether the header's own source includes it before anything else: that it compiles is its proof."""
-    source = (root / path).with_suffix(".cpp")
-    if not source.exists() or "#pragma once" not in (root / path).read_text(encoding="utf-8"):
-        return False
-    includes = [line for line in source.read_text(encoding="utf-8").splitlines() if line.startswith("#include")]
-    return bool(includes) and includes[0] == f'#include "{path}"'
+def first_includes(root):
+    """What some source includes before anything else: that it compiles is the header's proof."""
+    first = set()
+    for path in sources(root, (".cpp",)):
+        for line in (root / path).read_text(encoding="utf-8").splitlines():
+            if line.startswith("#include"):
+                first.add(line.removeprefix("#include ").strip('"'))
+                break
+    return first
+
+
+def proven(root, path, first):
+    """Headers that are read anew for every instruction set have to be compiled twice all the same."""
+    return str(path) in first and "#pragma once" in (root / path).read_text(encoding="utf-8")
 
 
 def check(root, commands):
-    headers = [path for path in sources(root, (".h",)) if not proven_by_source(root, path)]
+    first = first_includes(root)
+    headers = [path for path in sources(root, (".h",)) if not proven(root, path, first)]
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         found = pool.map(lambda path: problem_of(root, path, command_for(root / path, commands)), headers)
         return [problem for problem in found if problem], len(headers)
