@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numbers>
 #include <numeric>
 
 namespace limner {
@@ -11,7 +12,6 @@ namespace limner {
 namespace {
 
 constexpr int kChoice = 3; ///< random points that each kept one is chosen from
-constexpr double kPi = 3.14159265358979323846;
 
 /// A mixing of 64 bits (the finaliser of MurmurHash3): random numbers that need no state.
 double unitHash(std::uint64_t x) {
@@ -244,7 +244,7 @@ void DotPattern::measureCoverage() {
                 const glm::dvec2 d = glm::dvec2(p) - reach;
                 nearest = std::min(nearest, d.x * d.x + d.y * d.y);
             });
-            const double density = part * kPi * nearest; // of dots that just reach here
+            const double density = part * std::numbers::pi * nearest; // of dots that just reach here
             ++counts[static_cast<std::size_t>(row)][static_cast<std::size_t>(
                 std::min(density / kMostDensity * entries, static_cast<double>(entries)))];
         }

@@ -33,6 +33,11 @@ class DotPattern {
     template <typename Use>
     void forEachIn(const glm::dvec2& low, const glm::dvec2& high, float end, const Use& use) const;
 
+    /// A place in the tile for every 32 bits: where another drawing looks at the plane.
+    static glm::dvec2 offsetOf(std::uint32_t bits) {
+        return glm::dvec2(bits & 0xffffU, bits >> 16U) * (kSize / 65536.0);
+    }
+
     /// Share of a plane that dots of one size cover, `density` being their areas' sum over the plane's: less than the
     /// density where they overlap, and more than dots at random cover. Measured on the tile.
     [[nodiscard]] double coverage(double density) const;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace limner {
 
@@ -119,26 +120,12 @@ class PaperTone {
         const MarkField& field = scene_.field;
         const MarkVoxel& voxel = field.voxels[i];
         const VoxelInk& ink = scene_.ink[i];
-        const glm::dvec3 n(voxel.normalMm);
-        const glm::dmat3& step = field.stepMm;
-        const glm::dvec3 along(glm::dot(n, step[0]), glm::dot(n, step[1]), glm::dot(n, step[2]));
-        const glm::dvec3 size = glm::abs(along);
-        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-        const int u = axis == 0 ? 1 : 0;
-        const int v = axis == 2 ? 1 : 2;
-        if (!(size[axis] > 0)) {
-            return;
-        }
-        // Onto the surface along the axis, so that the faces still fill the plane.
-        const glm::dvec3 middle =
-            field.placeMm(voxel) + step[axis] * (static_cast<double>(voxel.edgeOffsetMm) / along[axis]);
-        const glm::dvec3 across[] = {step[u] - step[axis] * (along[u] / along[axis]),
-                                     step[v] - step[axis] * (along[v] / along[axis])};
-        const float area = ink.dots * 3.14159265F * ink.radiusMm * ink.radiusMm / (kSteps * kSteps);
+        const MarkFace face = field.faceOf(voxel);
+        const float area = ink.dots * std::numbers::pi_v<float> * ink.radiusMm * ink.radiusMm / (kSteps * kSteps);
         for (int a = 0; a < kSteps; ++a) {
             for (int b = 0; b < kSteps; ++b) {
-                const glm::dvec3 mm =
-                    middle + ((a + 0.5) / kSteps - 0.5) * across[0] + ((b + 0.5) / kSteps - 0.5) * across[1];
+                const glm::dvec3 mm = face.middleMm + ((a + 0.5) / kSteps - 0.5) * face.edgeMm[0] +
+                                      ((b + 0.5) / kSteps - 0.5) * face.edgeMm[1];
                 if (!scene_.view.kept(mm)) {
                     continue;
                 }
@@ -211,8 +198,7 @@ void addDotsOnPaper(const MarkScene& scene, Marks& marks, Task& task) {
     const glm::dvec2 paper = scene.view.paperMm();
     const glm::dvec2 end = paper / unit;
     // Another seed looks at another part of the pattern.
-    const auto seed = static_cast<std::uint32_t>(scene.stipple.seed) * 0x9e3779b9U;
-    const glm::dvec2 offset = glm::dvec2(seed & 0xffffU, seed >> 16) * (DotPattern::kSize / 65536.0);
+    const glm::dvec2 offset = DotPattern::offsetOf(seedBits(scene.stipple));
     const std::size_t layers = scene.field.layerNames.size();
     const auto rows = static_cast<std::size_t>(std::ceil(end.y / kBandRows));
     std::vector<std::vector<Dot>> dots(rows * layers);
@@ -227,7 +213,7 @@ void addDotsOnPaper(const MarkScene& scene, Marks& marks, Task& task) {
         pattern.forEachIn(low, high, 1, [&](const glm::vec2& place, float rank, std::uint32_t) {
             const glm::dvec2 mm = glm::dvec2(place.x, static_cast<double>(place.y) + top) * unit;
             const PaperTone::Asked asked = tone.at(mm);
-            const float area = 3.14159265F * asked.radiusMm * asked.radiusMm;
+            const float area = std::numbers::pi_v<float> * asked.radiusMm * asked.radiusMm;
             // Dots to a unit of the pattern's plane, of which rank 1 has one.
             if (asked.density > 0 && rank * static_cast<float>(densest) * area < asked.density * largest) {
                 dots[row * layers + asked.layer].push_back({glm::vec2(mm), 0, asked.radiusMm, 1, asked.rgb});
@@ -237,7 +223,7 @@ void addDotsOnPaper(const MarkScene& scene, Marks& marks, Task& task) {
     task.throwIfCancelled();
     for (std::size_t layer = 0; layer < layers; ++layer) {
         MarkGroup group;
-        group.name = scene.groupName("Stipples", layer);
+        group.name = scene.field.groupName("Stipples", layer);
         for (std::size_t row = 0; row < rows; ++row) {
             const auto& part = dots[row * layers + layer];
             group.dots.insert(group.dots.end(), part.begin(), part.end());

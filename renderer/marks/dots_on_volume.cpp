@@ -1,5 +1,6 @@
 #include "renderer/marks/dot_pattern.h"
 #include "renderer/marks/ink.h"
+#include "renderer/marks/mixed_bits.h"
 
 #include <glm/geometric.hpp>
 
@@ -19,14 +20,6 @@ constexpr float kFadingPart = 0.3F;
 constexpr float kWholeFacing = 0.03F;
 constexpr float kFaintest = 0.02F; ///< opacity that nobody sees
 
-std::uint32_t mixed(std::uint32_t x) {
-    x ^= x >> 16;
-    x *= 0x7feb352dU;
-    x ^= x >> 15;
-    x *= 0x846ca68bU;
-    return x ^ (x >> 16);
-}
-
 /// A voxel's points: those of the pattern over the face of the voxel that its surface crosses most squarely, laid on
 /// the tangent plane. Neighbours share the plane's pattern, so that there is no seam between them.
 class VolumeDots {
@@ -37,10 +30,6 @@ class VolumeDots {
         const double densest = DotPattern::kMostDensity / static_cast<double>(kSmallestDot * kSmallestDot);
         capacity_ = field_.mmPerVoxel * field_.mmPerVoxel * scale * scale / dot * densest;
         edge_ = std::sqrt(capacity_);
-        const glm::dmat3& step = field_.stepMm;
-        for (int i = 0; i < 3; ++i) {
-            stepMm_[i] = step[i];
-        }
         fading_ = scene.moving || scene.stipple.placing == "volume";
         linear_ = scene.view.linear();
         spreadMm_ = static_cast<float>(scene.stipple.spreadVoxels * field_.mmPerVoxel);
@@ -72,41 +61,23 @@ class VolumeDots {
     static constexpr double kZoomHeadroom = 1.5; ///< a field serves views up to the square root of 2 nearer
 
     struct Frame {
-        int axis = 0; ///< that the plane is a height over
-        int across[2]{1, 2};
         glm::dvec2 cell{0};
         glm::dvec2 offset{0}; ///< of the plane's pattern
         glm::dvec3 middleMm{0};
-        glm::dmat3 acrossMm{0}; ///< columns: a cell along each of `across` in the tangent plane, a mm of the normal
+        glm::dmat3 acrossMm{0}; ///< columns: the face's edges, a mm of the normal
         PlaceOnPaper middle;    ///< on paper
         glm::mat3 paper{0};     ///< columns: what these steps change on paper (mm right, mm down, depth), parallel rays
     };
 
     [[nodiscard]] Frame frameOf(const MarkVoxel& voxel) const {
         Frame frame;
-        const glm::dvec3 n(voxel.normalMm);
-        const double along[] = {glm::dot(n, stepMm_[0]), glm::dot(n, stepMm_[1]), glm::dot(n, stepMm_[2])};
-        const double size[] = {std::abs(along[0]), std::abs(along[1]), std::abs(along[2])};
-        frame.axis = size[0] >= size[1] && size[0] >= size[2] ? 0 : size[1] >= size[2] ? 1 : 2;
-        for (int i = 0, k = 0; i < 3; ++i) {
-            if (i != frame.axis) {
-                frame.across[k] = i;
-                const double rise = size[frame.axis] > 0 ? -along[i] / along[frame.axis] : 0;
-                frame.acrossMm[k++] = stepMm_[i] + rise * stepMm_[frame.axis];
-            }
-        }
-        frame.acrossMm[2] = n;
-        frame.cell = {static_cast<double>(voxel.cell[frame.across[0]]),
-                      static_cast<double>(voxel.cell[frame.across[1]])};
+        const MarkFace face = field_.faceOf(voxel);
+        frame.acrossMm = glm::dmat3(face.edgeMm[0], face.edgeMm[1], glm::dvec3(voxel.normalMm));
+        frame.cell = {static_cast<double>(voxel.cell[face.across[0]]), static_cast<double>(voxel.cell[face.across[1]])};
         // A body's front and back have patterns of their own: they may lie behind one another.
-        const std::uint32_t plane = mixed(static_cast<std::uint32_t>(scene_.stipple.seed) * 0x9e3779b9U +
-                                          static_cast<std::uint32_t>(2 * frame.axis + (along[frame.axis] > 0 ? 1 : 0)));
-        frame.offset = glm::dvec2(plane & 0xffffU, plane >> 16) * (DotPattern::kSize / 65536.0);
-        // Onto the surface along the axis, so that the faces still fill the plane.
-        frame.middleMm = field_.placeMm(voxel);
-        if (size[frame.axis] > 0) {
-            frame.middleMm += stepMm_[frame.axis] * (static_cast<double>(voxel.edgeOffsetMm) / along[frame.axis]);
-        }
+        const auto side = static_cast<std::uint32_t>(2 * face.axis + (face.rising ? 1 : 0));
+        frame.offset = DotPattern::offsetOf(mixedBits(seedBits(scene_.stipple) + side));
+        frame.middleMm = face.middleMm;
         frame.middle = scene_.view.place(frame.middleMm);
         if (scene_.view.linear()) {
             const float scale = frame.middle.scale;
@@ -144,7 +115,6 @@ class VolumeDots {
     const MarkField& field_;
     double capacity_ = 1; ///< points of a voxel's face in the pattern
     double edge_ = 1;     ///< of the face in the pattern's plane
-    glm::dvec3 stepMm_[3];
     bool fading_ = false;
     bool clipped_ = false;
     bool linear_ = true; ///< the view's rays are parallel
@@ -173,7 +143,7 @@ void addDotsOnVolume(const MarkScene& scene, Marks& marks, Task& task) {
     });
     task.throwIfCancelled();
     for (std::size_t layer = 0; layer < layers; ++layer) {
-        const std::string name = scene.groupName("Stipples", layer);
+        const std::string name = scene.field.groupName("Stipples", layer);
         MarkGroup whole;
         whole.name = name;
         for (std::size_t chunk = 0; chunk < chunks; ++chunk) {

@@ -2,6 +2,7 @@
 
 #include "renderer/marks/hatch_map.h"
 #include "renderer/marks/hatch_strokes.h"
+#include "renderer/marks/mixed_bits.h"
 #include "renderer/marks/pen.h"
 
 #include <glm/common.hpp>
@@ -22,14 +23,6 @@ constexpr std::size_t kChunk = 1U << 13U;
 /// Straight strokes leave a bent surface: at most this share of its radius.
 constexpr float kStraight = 0.8F;
 
-std::uint32_t mixed(std::uint32_t x) {
-    x ^= x >> 16U;
-    x *= 0x7FEB352DU;
-    x ^= x >> 15U;
-    x *= 0x846CA68BU;
-    return x ^ (x >> 16U);
-}
-
 /// How a tone is shared between strokes and those that cross them: both at random cover 1 - (1 - a)(1 - b).
 struct Shares {
     float cross;
@@ -44,7 +37,7 @@ std::vector<glm::vec2> startsOf(const LineScene& scene, std::span<const float> t
     std::vector<std::pair<std::uint32_t, std::uint32_t>> order;
     for (std::uint32_t i = 0; i < tone.size(); ++i) {
         if (tone[i] > 0) {
-            order.emplace_back(mixed(i ^ mixed(seed)), i);
+            order.emplace_back(mixedBits(i ^ mixedBits(seed)), i);
         }
     }
     tbb::parallel_sort(order.begin(), order.end());
@@ -100,7 +93,7 @@ class MovingStrokes {
   public:
     MovingStrokes(const LineScene& scene, const StippleHatching& settings, std::uint32_t seed)
         : scene_(scene), settings_(settings),
-          seed_(mixed(seed)), shares_{static_cast<float>(std::clamp(settings.cross, 0.0, 1.0))},
+          seed_(mixedBits(seed)), shares_{static_cast<float>(std::clamp(settings.cross, 0.0, 1.0))},
           curved_(scene.field.curvatures.size() == scene.field.voxels.size()) {}
 
     /// Both families' strokes of a voxel.
@@ -122,9 +115,9 @@ class MovingStrokes {
         const float facing = std::abs(glm::dot(voxel.normalMm, scene_.view.towardsEye(mm)));
         const float area = edge * edge * facing * voxel.share; // of paper that is the voxel's
         const auto number = static_cast<std::uint32_t>(i) * 2U;
-        addOne(at, way, bend.most, shares_.along(tone) * area, mixed(number ^ seed_), ink, group);
+        addOne(at, way, bend.most, shares_.along(tone) * area, mixedBits(number ^ seed_), ink, group);
         addOne(at, glm::cross(voxel.normalMm, way), bend.least, shares_.across(tone) * area,
-               mixed((number + 1) ^ seed_), ink, group);
+               mixedBits((number + 1) ^ seed_), ink, group);
     }
 
   private:

@@ -190,11 +190,6 @@ InkColour colourAt(const RenderPlan& plan, const MarkField& field, const MarkVie
 
 double largestDotArea(const Stipple& stipple) { return 0.25 * std::numbers::pi * stipple.sizeMm * stipple.sizeMm; }
 
-std::string MarkScene::groupName(const std::string& family, std::size_t layer) const {
-    const std::string& name = field.layerNames[layer];
-    return name.empty() ? family : family + " - " + name;
-}
-
 MarkScene makeMarkScene(const RenderPlan& plan, const MarkField& field, bool moving, Task& task) {
     const Stipple& stipple = *plan.figure->stipple;
     MarkScene scene{plan, stipple, field, MarkView(plan), {}, {}, {}, moving, inkOf(stipple.inkRgb)};

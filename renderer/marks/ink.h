@@ -29,8 +29,6 @@ struct MarkScene {
     bool moving = false;
 
     [[nodiscard]] InkColour colourOf(std::size_t voxel) const { return colours.empty() ? plain : colours[voxel]; }
-    /// "Stipples", or "Stipples - Bone" where marks belong to layers.
-    [[nodiscard]] std::string groupName(const std::string& family, std::size_t layer) const;
     InkColour plain{0};
 };
 
@@ -39,6 +37,9 @@ MarkScene makeMarkScene(const RenderPlan& plan, const MarkField& field, bool mov
 
 /// Area of the largest dot, mm^2 of paper.
 double largestDotArea(const Stipple& stipple);
+
+/// What a figure's seed makes of chance.
+inline std::uint32_t seedBits(const Stipple& stipple) { return static_cast<std::uint32_t>(stipple.seed) * 0x9e3779b9U; }
 
 /// The dots of all voxels, one group a layer: on the volume, or evenly on paper.
 void addDotsOnVolume(const MarkScene& scene, Marks& marks, Task& task);

@@ -319,10 +319,8 @@ class FieldMaker {
     /// What the surface is that the voxel is of: value and gradient over the column of cells along the axis that
     /// crosses it most squarely; and whether the voxel is the one that draws it.
     void lookThroughSurface(MarkVoxel& voxel) const {
-        const glm::dmat3 steps = field_->grid.voxelToMmMatrix();
-        const glm::dvec3 rises = glm::dvec3(voxel.normalMm) * steps; // mm along the normal per cell
-        const glm::dvec3 along = glm::abs(rises);
-        const int axis = along.x >= along.y && along.x >= along.z ? 0 : along.y >= along.z ? 1 : 2;
+        const glm::dvec3 rises = glm::dvec3(voxel.normalMm) * field_->stepMm; // mm along the normal per cell
+        const int axis = crossingAxis(rises);
         const glm::ivec3 cell(voxel.cell);
         const Side own = weightAt(cell);
         const Side low = side(cell, own, axis, -1);
@@ -340,7 +338,7 @@ class FieldMaker {
         // The surface over a face, in faces of a cube of the cell's volume.
         const glm::dvec3 s = field_->grid.spacingMm;
         const double face = s.x * s.y * s.z / (s[axis] * field_->mmPerVoxel * field_->mmPerVoxel);
-        const double slant = s[axis] / std::max(along[axis], 0.5 * s[axis]);
+        const double slant = s[axis] / std::max(std::abs(rises[axis]), 0.5 * s[axis]);
         if (own.weight > low.largest && own.weight >= high.largest) {
             voxel.share = static_cast<float>(face * slant);
         }
@@ -404,6 +402,36 @@ class FieldMaker {
 std::size_t MarkField::bytes() const {
     return voxels.size() * sizeof(MarkVoxel) + curvatures.size() * sizeof(MarkCurvature) +
            rowStart.size() * sizeof(std::uint32_t);
+}
+
+int crossingAxis(const glm::dvec3& risesMm) {
+    const glm::dvec3 size = glm::abs(risesMm);
+    return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+}
+
+MarkFace MarkField::faceOf(const MarkVoxel& voxel) const {
+    const glm::dvec3 rises = glm::dvec3(voxel.normalMm) * stepMm;
+    MarkFace face;
+    face.axis = crossingAxis(rises);
+    face.rising = rises[face.axis] > 0;
+    face.middleMm = placeMm(voxel);
+    const glm::dvec3 up = stepMm[face.axis];
+    const double rise = rises[face.axis];
+    if (std::abs(rise) > 0) {
+        face.middleMm += up * (static_cast<double>(voxel.edgeOffsetMm) / rise);
+    }
+    for (int i = 0, k = 0; i < 3; ++i) {
+        if (i != face.axis) {
+            face.across[k] = i;
+            face.edgeMm[k++] = stepMm[i] - (std::abs(rise) > 0 ? rises[i] / rise : 0) * up;
+        }
+    }
+    return face;
+}
+
+std::string MarkField::groupName(const std::string& family, std::size_t layer) const {
+    const std::string name = layer < layerNames.size() ? layerNames[layer] : "";
+    return name.empty() ? family : family + " - " + name;
 }
 
 std::int64_t MarkField::find(const glm::ivec3& cell) const {

@@ -39,6 +39,19 @@ struct MarkCurvature {
     float least = 0;
 };
 
+/// The part of a surface that a mark voxel draws: its tangent plane over the face that the surface crosses most
+/// squarely.
+struct MarkFace {
+    int axis = 0;           ///< of the grid, across the face
+    int across[2]{1, 2};    ///< the other two
+    bool rising = false;    ///< whether the normal runs up that axis
+    glm::dvec3 middleMm{0}; ///< moved onto the surface along the axis, so that the faces still fill the plane
+    glm::dvec3 edgeMm[2]{}; ///< a cell along each of `across`, in the tangent plane
+};
+
+/// The axis of the grid that a plane crosses most squarely; `risesMm`: along its normal for a cell along each axis.
+int crossingAxis(const glm::dvec3& risesMm);
+
 /// Immutable, thread-safe.
 struct MarkField {
     Grid grid;            ///< of the marks' voxels, in the same space as the volume's
@@ -58,6 +71,9 @@ struct MarkField {
         const glm::dvec3 cell(voxel.cell);
         return grid.originMm + cell.x * stepMm[0] + cell.y * stepMm[1] + cell.z * stepMm[2];
     }
+    [[nodiscard]] MarkFace faceOf(const MarkVoxel& voxel) const;
+    /// "Stipples", or "Stipples - Bone" where marks belong to layers.
+    [[nodiscard]] std::string groupName(const std::string& family, std::size_t layer) const;
     /// Index of the mark voxel at a cell, or -1.
     [[nodiscard]] std::int64_t find(const glm::ivec3& cell) const;
 

@@ -363,8 +363,7 @@ std::vector<MarkGroup> namedGroups(const LineScene& scene, std::vector<PennedLin
             if (group.strokes.empty()) {
                 continue;
             }
-            const std::string layer = i < scene.field.layerNames.size() ? scene.field.layerNames[i] : "";
-            group.name = name + (hidden ? ", hidden" : "") + (layer.empty() ? "" : " - " + layer);
+            group.name = scene.field.groupName(name + (hidden ? ", hidden" : ""), i);
             groups.push_back(std::move(group));
         }
     }
