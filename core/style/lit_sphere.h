@@ -9,6 +9,8 @@
 
 namespace limner {
 
+class TextureTile;
+
 /// An RGBA value, sRGB-encoded, not premultiplied, 0..1.
 struct Rgba {
     float r = 0;
@@ -65,6 +67,8 @@ struct StyleCard {
 struct Style {
     StyleCard card;
     std::shared_ptr<const LitSphere> sphere;
+    std::string file = {};                           ///< the picture: "bundled:ID" or a path; empty: not on disk
+    std::shared_ptr<const TextureTile> texture = {}; ///< null: none
 };
 
 /// Reads a style picture (any format OpenImageIO reads; grey or colour, with or without alpha, linear pictures are

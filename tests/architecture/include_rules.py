@@ -39,7 +39,7 @@ RULES = {
         {"glm"},
         {"tbb", "itk", "oiio", "zlib", "expat", "openssl", "json", "system", "files"},
     ),
-    "core/style": (("core",), {"glm"}, {"tbb", "oiio", "opencv", "json", "files", "system"}),
+    "core/style": (("core",), {"glm"}, {"tbb", "oiio", "opencv", "lcms", "json", "files", "system"}),
     "core/optics": (("core/base", "core/optics"), {"glm"}, set()),
     "core/figure": (("core",), {"glm"}, {"tbb", "json", "files"}),
     "core/project": (("core",), {"glm"}, {"json", "zip", "zlib", "openssl", "oiio", "system", "files"}),
