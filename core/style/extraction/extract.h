@@ -29,9 +29,10 @@ struct ExtractionFigures {
     /// noise, wrong normals and texture all count.
     double residualRmse = 0;
     double largestHoleDegrees = 0; ///< widest gap between directions that had votes
-    /// RMSE between this sphere and the one from the outline snapped to the picture's edge: what a badly placed
-    /// outline costs. Absent for regions and where there is no edge.
-    std::optional<double> placementRmse;
+    /// What cannot be seen in the residual: RMSE between this sphere and the one that a likely mistake would have
+    /// given. Of an ellipse: its outline against the one snapped to the picture's edge; absent where there is no edge.
+    /// Of a region: its depth, which no picture tells, against a form deeper by a quarter.
+    std::optional<double> formRmse;
 };
 
 struct Extraction {

@@ -39,6 +39,7 @@ struct FormMarks {
     std::vector<NormalMark> normals;
     std::vector<Crease> creases;
     std::vector<ArtPath> open; ///< along parts of the outline where the form goes on, hidden or cut off
+    double depth = 1;          ///< of the form, where 1 is as deep as it is wide; 0.1..10
     friend bool operator==(const FormMarks&, const FormMarks&) = default;
 };
 
@@ -49,7 +50,7 @@ struct FormRegion {
 };
 
 /// `{"normals": [{"at": [x, y], "normal": [nx, ny]}], "creases": [{"path": [[x, y], ...], "tilt_deg": 30}],
-/// "open": [[[x, y], ...]]}`; each member may be absent. Throws Error(badInput).
+/// "open": [[[x, y], ...]], "depth": 1}`; each member may be absent. Throws Error(badInput).
 FormMarks loadFormMarks(const std::filesystem::path& file);
 
 } // namespace limner

@@ -25,6 +25,9 @@ SpherePtr withSymmetry(const SpherePtr& sphere);
 /// As if painted on white: divided by the paper's colour in linear light.
 SpherePtr withoutPaperCast(const SpherePtr& sphere, const Rgba& paper);
 
+/// One colour of it.
+Rgba withoutCast(const Rgba& colour, const Rgba& paper);
+
 /// (radius, alpha), radii rising in 0..1; constant before the first and after the last.
 using AlphaCurve = std::vector<glm::dvec2>;
 /// Directional opacity from the angle to the viewer alone.
