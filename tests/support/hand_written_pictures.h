@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace limner::testing {
@@ -27,72 +26,22 @@ struct HandWritten {
     std::string profile = {};
 };
 
-/// Little-endian, uncompressed. `photometric`: 1 grey, 2 RGB, 5 inks. `tile`: edge of its tiles, a divisor of the size;
-/// 0: one strip.
-inline std::string tiffOf(const HandWritten& picture, std::uint32_t photometric, int tile = 0) {
-    const auto at = [&](int x, int y, int c) {
-        return picture.samples[static_cast<std::size_t>((y * picture.width + x) * picture.channels + c)];
-    };
-    std::string pixels;
-    std::vector<std::uint32_t> offsets;
-    const int across = tile > 0 ? tile : picture.width;
-    const int down = tile > 0 ? tile : picture.height;
-    for (int top = 0; top < picture.height; top += down) {
-        for (int left = 0; left < picture.width; left += across) {
-            offsets.push_back(static_cast<std::uint32_t>(8 + pixels.size()));
-            for (int y = top; y < top + down && !picture.samples.empty(); ++y) {
-                for (int x = left; x < left + across; ++x) {
-                    for (int c = 0; c < picture.channels; ++c) {
-                        appendNumber(pixels, at(x, y, c), picture.bits / 8, false);
-                    }
-                }
-            }
-        }
-    }
-    const auto bytes = static_cast<std::uint32_t>(pixels.size() / offsets.size());
-    pixels.resize((pixels.size() + 1) / 2 * 2);
-    struct Tag {
-        std::uint32_t id;
-        std::uint32_t type; ///< 3: 16 bits, 4: 32 bits, 7: bytes
-        std::vector<std::uint32_t> values;
-    };
-    const auto number = [](int value) { return static_cast<std::uint32_t>(value); };
-    using Numbers = std::vector<std::uint32_t>;
-    const Numbers counts(offsets.size(), bytes);
-    std::vector<Tag> tags{{256, 4, {number(picture.width)}},
-                          {257, 4, {number(picture.height)}},
-                          {258, 3, Numbers(static_cast<std::size_t>(picture.channels), number(picture.bits))},
-                          {259, 3, {1}},
-                          {262, 3, {photometric}}};
-    if (tile == 0) {
-        tags.push_back({273, 4, offsets});
-    }
-    tags.push_back({277, 3, {number(picture.channels)}});
-    if (tile == 0) {
-        tags.push_back({278, 4, {number(picture.height)}});
-        tags.push_back({279, 4, counts});
-    } else {
-        tags.push_back({322, 4, {number(tile)}});
-        tags.push_back({323, 4, {number(tile)}});
-        tags.push_back({324, 4, offsets});
-        tags.push_back({325, 4, counts});
-    }
-    if (!picture.profile.empty()) {
-        tags.push_back({34675, 7, Numbers(picture.profile.begin(), picture.profile.end())});
-    }
-    std::string out = "II";
-    appendNumber(out, 42, 2, false);
-    appendNumber(out, static_cast<std::uint32_t>(8 + pixels.size()), 4, false);
-    out += pixels;
-    std::uint32_t beyond = static_cast<std::uint32_t>(out.size() + 2 + 12 * tags.size() + 4);
+struct TiffTag {
+    std::uint32_t id;
+    std::uint32_t type; ///< 3: 16 bits, 4: 32 bits, 7: bytes
+    std::vector<std::uint32_t> values;
+};
+
+/// A directory of tags that starts at `place` in its file, and the values that do not fit into it.
+inline std::string tiffDirectory(const std::vector<TiffTag>& tags, std::size_t place) {
     std::string directory;
-    std::string far;
+    std::string beyond;
+    const std::size_t end = place + 2 + 12 * tags.size() + 4;
     appendNumber(directory, static_cast<std::uint32_t>(tags.size()), 2, false);
-    for (const Tag& tag : tags) {
-        const int size = tag.type == 3 ? 2 : (tag.type == 4 ? 4 : 1);
+    for (const TiffTag& tag : tags) {
         std::string values;
         for (const std::uint32_t value : tag.values) {
-            appendNumber(values, value, size, false);
+            appendNumber(values, value, tag.type == 3 ? 2 : (tag.type == 4 ? 4 : 1), false);
         }
         appendNumber(directory, tag.id, 2, false);
         appendNumber(directory, tag.type, 2, false);
@@ -101,14 +50,58 @@ inline std::string tiffOf(const HandWritten& picture, std::uint32_t photometric,
             values.resize(4);
             directory += values;
         } else {
-            appendNumber(directory, beyond, 4, false);
+            appendNumber(directory, static_cast<std::uint32_t>(end + beyond.size()), 4, false);
             values.resize((values.size() + 1) / 2 * 2);
-            beyond += static_cast<std::uint32_t>(values.size());
-            far += values;
+            beyond += values;
         }
     }
     appendNumber(directory, 0, 4, false);
-    return out + directory + far;
+    return directory + beyond;
+}
+
+/// Little-endian, uncompressed. `photometric`: 1 grey, 2 RGB, 5 inks. `tile`: edge of its tiles, a divisor of the size;
+/// 0: one strip.
+inline std::string tiffOf(const HandWritten& picture, std::uint32_t photometric, int tile = 0) {
+    using Numbers = std::vector<std::uint32_t>;
+    const auto number = [](int value) { return static_cast<std::uint32_t>(value); };
+    std::string pixels;
+    Numbers offsets;
+    const int across = tile > 0 ? tile : picture.width;
+    const int down = tile > 0 ? tile : picture.height;
+    for (int top = 0; top < picture.height; top += down) {
+        for (int left = 0; left < picture.width; left += across) {
+            offsets.push_back(static_cast<std::uint32_t>(8 + pixels.size()));
+            for (int y = top; y < top + down && !picture.samples.empty(); ++y) {
+                for (int i = left * picture.channels; i < (left + across) * picture.channels; ++i) {
+                    const int at = y * picture.width * picture.channels + i;
+                    appendNumber(pixels, picture.samples[static_cast<std::size_t>(at)], picture.bits / 8, false);
+                }
+            }
+        }
+    }
+    const Numbers counts(offsets.size(), static_cast<std::uint32_t>(pixels.size() / offsets.size()));
+    pixels.resize((pixels.size() + 1) / 2 * 2);
+    std::vector<TiffTag> tags{{256, 4, {number(picture.width)}},
+                              {257, 4, {number(picture.height)}},
+                              {258, 3, Numbers(static_cast<std::size_t>(picture.channels), number(picture.bits))},
+                              {259, 3, {1}},
+                              {262, 3, {photometric}}};
+    const std::vector<TiffTag> strips{
+        {273, 4, offsets}, {277, 3, {number(picture.channels)}}, {278, 4, {number(picture.height)}}, {279, 4, counts}};
+    const std::vector<TiffTag> tiles{{277, 3, {number(picture.channels)}},
+                                     {322, 4, {number(tile)}},
+                                     {323, 4, {number(tile)}},
+                                     {324, 4, offsets},
+                                     {325, 4, counts}};
+    const auto& parts = tile > 0 ? tiles : strips;
+    tags.insert(tags.end(), parts.begin(), parts.end());
+    if (!picture.profile.empty()) {
+        tags.push_back({34675, 7, Numbers(picture.profile.begin(), picture.profile.end())});
+    }
+    std::string out = "II";
+    appendNumber(out, 42, 2, false);
+    appendNumber(out, static_cast<std::uint32_t>(8 + pixels.size()), 4, false);
+    return out + pixels + tiffDirectory(tags, 8 + pixels.size());
 }
 
 /// A Photoshop file of one flat picture. `mode`: 1 grey, 3 RGB, 4 CMYK, whose inks are stored upside down.
