@@ -19,10 +19,6 @@ constexpr std::size_t kTexelBytes = 4 * sizeof(std::uint16_t);
 /// A screen's picture comes in a few sizes: the still and its drafts.
 constexpr std::size_t kMostKept = 4;
 constexpr std::size_t kMostKeptBytes = std::size_t{256} << 20;
-/// Formats whose libraries unpack a picture as a whole must not do so on a header's word alone: beyond a gigabyte, no
-/// more than any packing achieves on a picture of one colour.
-constexpr double kUnpackedFreely = 1U << 30U;
-constexpr double kBestPacking = 2000;
 
 PictureRows openRows(const fs::path& file) {
     return {file, {"cannot read the background's picture", "use a PNG, TIFF, JPEG, EXR or WebP picture"}};
@@ -203,14 +199,7 @@ BackgroundPicture::BackgroundPicture(fs::path file, std::shared_ptr<const void> 
     : file_(std::move(file)), owner_(std::move(owner)) {
     const PictureRows rows = openRows(file_);
     size_ = {rows.width(), rows.height()};
-    std::error_code unknown;
-    const auto bytes = static_cast<double>(fs::file_size(file_, unknown));
-    const double unpacked = 3.0 * size_.x * size_.y;
-    if (size_.x < 1 || size_.y < 1 || unknown || (unpacked > kUnpackedFreely && unpacked > kBestPacking * bytes)) {
-        rows.fail("its header promises " + std::to_string(size_.x) + " x " + std::to_string(size_.y) +
-                      " pixels, which the file cannot hold",
-                  "the file is damaged; get it again");
-    }
+    rows.failWhereTooShort();
 }
 
 std::shared_ptr<const CoveringCopy> BackgroundPicture::covering(glm::ivec2 output, std::size_t maxBytes) const {
