@@ -209,6 +209,27 @@ void ExtractOptions::checkForm() const {
     if (snap_ && (hasSwatches() || !region_.empty())) {
         refuse("--snap", "only circles and ellipses snap", "leave it out");
     }
+    if (!circle_.empty() || !ellipse_.empty()) {
+        static_cast<void>(given());
+    }
+    static_cast<void>(edits());
+}
+
+Ellipse ExtractOptions::given() const {
+    Ellipse ellipse;
+    if (!circle_.empty()) {
+        const std::vector<double> n = numbersOf(circle_, "--circle", "310,240,85");
+        ellipse = {{n[0], n[1]}, {n[2], n[2]}, 0};
+    } else {
+        const std::vector<double> n = numbersOf(ellipse_, "--ellipse", "310,240,85,60,30");
+        ellipse = {{n[0], n[1]}, {n[2], n[3]}, n[4]};
+    }
+    if (ellipse.semiAxes.x <= 0 || ellipse.semiAxes.y <= 0) {
+        throw Error(ErrorKind::usage,
+                    {"cannot take a style", circle_.empty() ? "--ellipse" : "--circle",
+                     "a radius must be greater than 0", "measure from the ball's centre to its edge"});
+    }
+    return ellipse;
 }
 
 Ellipse ExtractOptions::ellipse(const Artwork& artwork, Task& task) const {
@@ -226,17 +247,8 @@ Ellipse ExtractOptions::ellipse(const Artwork& artwork, Task& task) const {
                                            "--detect alone lists them"});
         }
         ellipse = found[static_cast<std::size_t>(pick_) - 1].ellipse;
-    } else if (!circle_.empty()) {
-        const std::vector<double> n = numbersOf(circle_, "--circle", "310,240,85");
-        ellipse = {{n[0], n[1]}, {n[2], n[2]}, 0};
     } else {
-        const std::vector<double> n = numbersOf(ellipse_, "--ellipse", "310,240,85,60,30");
-        ellipse = {{n[0], n[1]}, {n[2], n[3]}, n[4]};
-    }
-    if (ellipse.semiAxes.x <= 0 || ellipse.semiAxes.y <= 0) {
-        throw Error(ErrorKind::usage,
-                    {"cannot take a style", circle_.empty() ? "--ellipse" : "--circle",
-                     "a radius must be greater than 0", "measure from the ball's centre to its edge"});
+        ellipse = given();
     }
     if (snap_) {
         const std::optional<Ellipse> snapped = snapEllipse(cutAround(artwork, ellipse, task), ellipse);
@@ -261,7 +273,13 @@ PlacedForm ExtractOptions::form(const Artwork& artwork, Task& task) const {
     return {std::move(region), "region " + fs::path(region_).filename().string()};
 }
 
-SphereEdits ExtractOptions::edits() const { return {smoothing_, symmetric_, turn_, parsedAlpha(alpha_)}; }
+SphereEdits ExtractOptions::edits() const {
+    if (!std::isfinite(smoothing_) || !std::isfinite(turn_)) {
+        throw Error(ErrorKind::usage, {"wrong value", std::isfinite(turn_) ? "--smoothing" : "--turn",
+                                       "it is no number", "write for example 0.3"});
+    }
+    return {smoothing_, symmetric_, turn_, parsedAlpha(alpha_)};
+}
 
 ExtractionRequest ExtractOptions::request(const Artwork& artwork, const PlacedForm& form, Task& task) const {
     ExtractionRequest request;

@@ -30,7 +30,8 @@ class ExtractOptions {
     void declareForm(CLI::App& app);
     void declareLook(CLI::App& app);
 
-    /// Throws Error(usage) where nothing, or more than one thing, says what to take.
+    /// What can be judged before anything is read: throws Error(usage) where nothing, or more than one thing, says what
+    /// to take, and for values that make no sense.
     void checkForm() const;
     [[nodiscard]] bool hasForm() const;
     [[nodiscard]] bool detects() const { return detect_; }
@@ -46,6 +47,7 @@ class ExtractOptions {
     [[nodiscard]] SpherePtr mixed() const;
 
   private:
+    [[nodiscard]] Ellipse given() const;
     [[nodiscard]] Ellipse ellipse(const Artwork& artwork, Task& task) const;
     [[nodiscard]] SphereEdits edits() const;
 

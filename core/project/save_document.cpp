@@ -2,6 +2,7 @@
 #include "core/base/pending_file.h"
 #include "core/figure/figure_json.h"
 #include "core/project/archive.h"
+#include "core/project/backup.h"
 #include "core/project/embedded_volume.h"
 #include "core/project/project.h"
 #include "core/style/background_picture.h"
@@ -13,16 +14,13 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
-#include <chrono>
 #include <cstring>
 #include <fstream>
 #include <optional>
-#include <random>
 #include <set>
 #include <span>
 #include <sstream>
 
-#include <fcntl.h>
 #include <unistd.h>
 
 namespace limner {
@@ -76,8 +74,6 @@ StyleCard cardOf(const StyleEntry& style, const fs::path& picture) {
 std::uint32_t crcOf(const std::string& bytes) {
     return static_cast<std::uint32_t>(crc32_z(0, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
 }
-
-fs::path folderOf(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
 
 /// What goes into the file, made before anything is written.
 class Contents {
@@ -343,79 +339,6 @@ void verify(const fs::path& temporary, const Contents& contents, Task& task) {
     }
 }
 
-void syncFolder(const fs::path& folder) {
-    if (const int handle = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-        handle >= 0) {
-        ::fsync(handle);
-        ::close(handle);
-    }
-}
-
-/// The old file under a second name until the new one stands; then it becomes the newest backup.
-class Backup {
-  public:
-    explicit Backup(const fs::path& path) : path_(path) {
-        std::error_code ignored;
-        if (!fs::is_regular_file(path, ignored)) {
-            return;
-        }
-        held_ = path.parent_path() / ("." + path.filename().string().substr(0, 200) + "." +
-                                      std::to_string(std::random_device()()) + ".part");
-        // A link costs nothing and the old file never lacks a name; a file system without links gets a copy.
-        if (::link(path.c_str(), held_.c_str()) != 0) {
-            std::error_code failure;
-            if (!fs::copy_file(path, held_, failure)) {
-                fs::remove(held_, ignored);
-                fail(path, "the backup cannot be made: " + failure.message());
-            }
-        }
-    }
-    ~Backup() {
-        std::error_code ignored;
-        if (!held_.empty()) {
-            fs::remove(held_, ignored);
-        }
-    }
-    Backup(const Backup&) = delete;
-    Backup& operator=(const Backup&) = delete;
-
-    void rotate(Task& task) {
-        if (held_.empty()) {
-            return;
-        }
-        const std::string newest = path_.string() + "~";
-        std::error_code failure;
-        if (fs::exists(newest, failure)) {
-            fs::rename(newest, newest + "~", failure);
-        }
-        fs::rename(held_, newest, failure);
-        if (failure) {
-            task.warn("the backup " + newest + " could not be kept: " + failure.message());
-            return;
-        }
-        held_.clear();
-        syncFolder(path_.parent_path());
-    }
-
-  private:
-    fs::path path_;
-    fs::path held_;
-};
-
-/// What a save that was killed left behind. None writes for ten minutes without a pause.
-void removeStale(const fs::path& path) {
-    const std::string start = "." + path.filename().string().substr(0, 200) + ".";
-    std::error_code ignored;
-    const fs::path folder = folderOf(path);
-    for (const auto& entry : fs::directory_iterator(folder, ignored)) {
-        const std::string name = entry.path().filename().string();
-        const auto age = fs::file_time_type::clock::now() - entry.last_write_time(ignored);
-        if (name.starts_with(start) && name.ends_with(".part") && age > std::chrono::minutes(10)) {
-            fs::remove(entry.path(), ignored);
-        }
-    }
-}
-
 /// A bare figure.json: pictures beside it first, so that it never names one that is not there.
 void saveBare(const Contents& contents, const fs::path& path, Task& task) {
     for (const NewEntry& entry : contents.entries()) {
@@ -446,7 +369,7 @@ fs::path followed(const fs::path& path) {
 
 void saveDocument(const Document& document, const fs::path& path, const SaveOptions& options, Task& task) {
     const fs::path target = followed(path);
-    removeStale(target);
+    removeStaleParts(target);
     const Contents contents(document, target, options, task);
     if (target.extension() == ".json") {
         saveBare(contents, target, task);

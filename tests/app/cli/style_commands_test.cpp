@@ -21,13 +21,13 @@ Style madeStyle(const std::string& name) {
     return style;
 }
 
-std::vector<float> pixelsOf(const std::string& path, int width) {
+std::vector<float> pixelsOf(const std::string& path, int width, int channels) {
     OIIO::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1);
     const auto in = OIIO::ImageInput::open(path, &config);
-    EXPECT_TRUE(in && in->spec().width == width && in->spec().height == width && in->spec().nchannels == 4);
-    std::vector<float> pixels(static_cast<std::size_t>(width) * static_cast<std::size_t>(width) * 4);
-    EXPECT_TRUE(in && in->read_image(0, 0, 0, 4, OIIO::TypeDesc::FLOAT, pixels.data()));
+    EXPECT_TRUE(in && in->spec().width == width && in->spec().height == width && in->spec().nchannels == channels);
+    std::vector<float> pixels(static_cast<std::size_t>(width) * static_cast<std::size_t>(width * channels));
+    EXPECT_TRUE(in && in->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, pixels.data()));
     return pixels;
 }
 
@@ -62,7 +62,6 @@ TEST_F(WithStyles, ListNamesWhatIsBrokenAndGoesOn) {
     EXPECT_EQ(facts.at("styles").size(), 1U);
     EXPECT_EQ(facts.at("warnings").size(), 1U);
     expectRefused({"style", "show", "ink"}, 3, "ink.json");
-    expectRefused({"style", "show", "ink", "--json"}, 3, "ink.json");
 }
 
 TEST_F(WithStyles, AddTakesAStyleWithItsCardAndTexture) {
@@ -94,7 +93,10 @@ TEST_F(WithStyles, AddRefusesWhatIsNoBallAndKeepsTheRest) {
     EXPECT_FALSE(exists("mine"));
     std::ofstream(path("b.json")) << "{";
     expectRefused({"style", "add", path("b.png")}, 3, "b.json");
-    expectRefused({"style", "add", path("words.png"), path("a.png"), path("b.png")}, 3, "2 of 3");
+    const ProgramRun some = run({"style", "add", path("words.png"), path("a.png"), path("b.png")});
+    EXPECT_EQ(some.code, 3);
+    EXPECT_NE(some.err.find("2 of 3"), std::string::npos) << some.err;
+    EXPECT_NE(some.err.find("b.json"), std::string::npos) << some.err;
     EXPECT_EQ(mine().list().cards.size(), 1U);
     std::ofstream(path("file")) << "x";
     ::setenv("LIMNER_STYLES", path("file").c_str(), 1);
@@ -112,7 +114,7 @@ TEST_F(WithStyles, ShowTellsTheFactsAndDrawsTheBall) {
     EXPECT_EQ(facts.at("see_through"), false);
     EXPECT_EQ(facts.at("texture"), nullptr);
     EXPECT_EQ(facts.at("file"), path("mine/ochre.png"));
-    const std::vector<float> ball = pixelsOf(path("ball.png"), 64);
+    const std::vector<float> ball = pixelsOf(path("ball.png"), 64, 4);
     EXPECT_EQ(ball[3], 0) << "the corner is clear";
     EXPECT_NEAR(ball[(64 * 32 + 32) * 4], 0.8, 1e-3);
     EXPECT_EQ(ball[(64 * 32 + 32) * 4 + 3], 1);
@@ -193,7 +195,7 @@ TEST_F(WithStylesAndScan, AProjectMadeWithAnOwnStyleHoldsIt) {
     const ProgramRun after = run({"render", path("head.limner"), "-o", path("after.png"), "--json"});
     ASSERT_EQ(after.code, 0) << after.err;
     EXPECT_TRUE(after.facts().at("warnings").empty()) << after.out;
-    EXPECT_EQ(pixelsOf(path("before.png"), 48), pixelsOf(path("after.png"), 48));
+    EXPECT_EQ(pixelsOf(path("before.png"), 48, 3), pixelsOf(path("after.png"), 48, 3));
 }
 
 } // namespace
