@@ -50,6 +50,19 @@ Style readForAdding(const std::string& file, const CardOptions& options, Task& t
     return style;
 }
 
+/// Whether the file is the texture of a style beside it, as all files of a folder may be given.
+bool isTextureOfAnother(const fs::path& file) {
+    constexpr std::string_view kEnding = "-texture";
+    const std::string stem = file.stem().string();
+    if (stem.size() <= kEnding.size() || !stem.ends_with(kEnding)) {
+        return false;
+    }
+    const fs::path owner = file.parent_path() / (stem.substr(0, stem.size() - kEnding.size()) + ".png");
+    std::error_code ignored;
+    return fs::exists(owner, ignored) && fs::exists(cardFileOf(owner), ignored) &&
+           !fs::exists(cardFileOf(file), ignored);
+}
+
 /// The style and where it is from. Throws Error(usage), with the nearest id, where there is none.
 Style styleNamed(const std::string& word, const StyleLibrary& mine) {
     if (std::optional<Style> style = findStyle(word, mine)) {
@@ -97,6 +110,9 @@ int StyleAddCommand::run(Console& console) {
     Facts added = Facts::array();
     std::vector<Error> failures;
     for (const std::string& file : files_) {
+        if (files_.size() > 1 && isTextureOfAnother(file)) {
+            continue; // it comes with its style
+        }
         try {
             const StyleCard card = mine.add(readForAdding(file, card_, console.task()));
             added.push_back({{"file", file}, {"id", card.id}, {"name", card.name}});

@@ -77,6 +77,8 @@ TEST_F(WithStyles, AddTakesAStyleWithItsCardAndTexture) {
     EXPECT_EQ(mineNow.card.tags, (std::vector<std::string>{"clay", "red"}));
     EXPECT_NE(mineNow.texture, nullptr);
     EXPECT_EQ(run({"style", "add", path("a.png"), "--json"}).facts().at("styles").at(0).at("id"), "red-clay-2");
+    const ProgramRun all = run({"style", "add", path("a-texture.png"), path("a.png"), "--json"});
+    EXPECT_EQ(all.facts().at("styles").size(), 1U) << "a texture comes with its style";
     const ProgramRun renamed = run({"style", "add", path("a.png"), "--name", "Blue clay", "--licence", "CC BY 4.0"});
     EXPECT_NE(renamed.out.find("blue-clay"), std::string::npos) << renamed.out;
     EXPECT_EQ(mine().load("blue-clay").card.licence, "CC BY 4.0");
