@@ -6,10 +6,11 @@
 #include "core/figure/label_look.h"
 #include "core/figure/output_size.h"
 #include "core/figure/quantity.h"
+#include "core/figure/style_edits.h"
 #include "core/figure/themes.h"
 #include "core/project/label_volume.h"
 #include "core/project/sample_figures.h"
-#include "core/style/lit_sphere.h"
+#include "core/style/style_library.h"
 
 #include <CLI/CLI.hpp>
 
@@ -93,8 +94,8 @@ void FigureOptions::declareLook(CLI::App& app) {
         ->option_text("SIDE");
     app.add_option("--set", settings_,
                    "Set any value of the figure by its JSON pointer, for example /camera/height_mm=120 or "
-                   "/layers/0/opacity=0.5; VALUE is "
-                   "JSON, else text; null removes a part; repeatable")
+                   "/layers/0/transfer/nodes/0/style=ivory-bone (one of your styles, a bundled one, or a style's "
+                   "picture); VALUE is JSON, else text; null removes a part; repeatable")
         ->option_text("KEY=VALUE")
         ->expected(1)
         ->take_all();
@@ -219,6 +220,7 @@ void FigureOptions::applySettings(Document& document, Console& console) const {
     if (settings_.empty()) {
         return;
     }
+    joinNamedStyles(document.figure, StyleLibrary(StyleLibrary::userFolder()));
     const Background& background = document.figure.background;
     const auto unresolved = [](const StyleEntry& style) {
         return style.sphere == nullptr || (style.texture && style.texture->tile == nullptr);

@@ -5,7 +5,6 @@
 #include "core/figure/presets.h"
 #include "core/figure/themes.h"
 #include "core/project/sample_figures.h"
-#include "core/style/lit_sphere.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -16,41 +15,7 @@ namespace {
 
 using Facts = nlohmann::ordered_json;
 
-std::string join(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) {
-        text += (text.empty() ? "" : ", ") + word;
-    }
-    return text;
-}
-
 } // namespace
-
-void StyleListCommand::declare(CLI::App& app) {
-    app.description("Lists the bundled lit-sphere styles\n"
-                    "Id, name and what they suit. The id is what a figure's nodes refer to.");
-    app.footer("Examples:\n  limner style list\n  limner style list --json\n");
-}
-
-int StyleListCommand::run(Console& console) {
-    std::vector<std::vector<std::string>> rows;
-    Facts list = Facts::array();
-    for (const StyleCard& card : bundledStyleCards()) {
-        rows.push_back({card.id, card.name, join(card.tags)});
-        list.push_back({{"id", card.id},
-                        {"name", card.name},
-                        {"tags", card.tags},
-                        {"origin", card.origin},
-                        {"credit", card.credit},
-                        {"licence", card.licence}});
-    }
-    if (console.json) {
-        printFacts(console, Facts{{"styles", list}});
-    } else {
-        console.print(textTable(rows));
-    }
-    return 0;
-}
 
 void PresetListCommand::declare(CLI::App& app) {
     app.description("Lists the bundled presets\n"

@@ -4,13 +4,6 @@
 
 namespace limner::cli {
 
-/// `limner style list`: the bundled lit-sphere styles.
-class StyleListCommand : public Command {
-  public:
-    void declare(CLI::App& app) override;
-    int run(Console& console) override;
-};
-
 /// `limner preset list`: the bundled presets.
 class PresetListCommand : public Command {
   public:

@@ -9,6 +9,8 @@
 #include "app/cli/new_command.h"
 #include "app/cli/render_command.h"
 #include "app/cli/self_test_command.h"
+#include "app/cli/style_commands.h"
+#include "app/cli/style_extract_command.h"
 #include "app/cli/validate_command.h"
 #include "core/base/error.h"
 #include "core/figure/description.h"
@@ -52,7 +54,12 @@ class Parser {
         add(app_, "validate", std::make_unique<ValidateCommand>());
         add(app_, "explain", std::make_unique<ExplainCommand>());
         add(app_, "self-test", std::make_unique<SelfTestCommand>());
-        add(*group("style", "Lists the lit-sphere styles (style list)"), "list", std::make_unique<StyleListCommand>());
+        CLI::App& style = *group("style", "Extracts, adds, shows, lists and removes lit-sphere styles");
+        add(style, "extract", std::make_unique<StyleExtractCommand>());
+        add(style, "add", std::make_unique<StyleAddCommand>());
+        add(style, "show", std::make_unique<StyleShowCommand>());
+        add(style, "list", std::make_unique<StyleListCommand>());
+        add(style, "remove", std::make_unique<StyleRemoveCommand>());
         add(*group("theme", "Lists the themes (theme list)"), "list", std::make_unique<ThemeListCommand>());
         add(*group("figure", "Lists the sample figures (figure list)"), "list", std::make_unique<FigureListCommand>());
         add(*group("preset", "Lists the presets (preset list)"), "list", std::make_unique<PresetListCommand>());

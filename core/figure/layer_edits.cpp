@@ -1,12 +1,12 @@
 #include "core/figure/layer_edits.h"
 
+#include "core/figure/style_edits.h"
+
 #include <algorithm>
 #include <cassert>
 
 namespace limner {
 namespace {
-
-bool isBundled(const StyleEntry& entry) { return entry.file.starts_with("bundled:"); }
 
 std::string nameOfItsOwn(const Figure& figure, const std::string& wanted) {
     const auto taken = [&](const std::string& name) {
@@ -63,17 +63,6 @@ void exchangeStyle(Layer& layer, const std::string& from, const std::string& to)
     }
 }
 
-void dropUnusedBundledStyles(Figure& figure) {
-    std::set<std::string> used;
-    for (const Layer& layer : figure.layers) {
-        used.merge(stylesOf(layer));
-    }
-    if (figure.clip.face) {
-        used.insert(figure.clip.face->style);
-    }
-    std::erase_if(figure.styles, [&](const StyleEntry& entry) { return isBundled(entry) && !used.contains(entry.id); });
-}
-
 Layer freshLayer(const Figure& figure) {
     const bool scan = figure.volume && figure.volume->data;
     const ValueRange range = scan ? figure.volume->data->range() : ValueRange{0, 1};
@@ -109,7 +98,7 @@ Figure withLayerRemoved(const Figure& figure, std::size_t layer) {
     assert(layer < figure.layers.size());
     Figure result = figure;
     result.layers.erase(result.layers.begin() + offset(layer));
-    dropUnusedBundledStyles(result);
+    dropUnusedStyles(result);
     return result;
 }
 

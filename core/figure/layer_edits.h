@@ -19,9 +19,6 @@ std::set<std::string> stylesOf(const Layer& layer);
 /// The layer draws with style `to` wherever it drew with `from`.
 void exchangeStyle(Layer& layer, const std::string& from, const std::string& to);
 
-/// Bundled styles that nothing draws with leave the list.
-void dropUnusedBundledStyles(Figure& figure);
-
 /// A layer to start from: it shows the upper half of the scan's values in the figure's first style, or in a plain
 /// colour under Phong's light where the figure has no style.
 Layer freshLayer(const Figure& figure);

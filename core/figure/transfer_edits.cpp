@@ -1,6 +1,6 @@
 #include "core/figure/transfer_edits.h"
 
-#include "core/figure/layer_edits.h"
+#include "core/figure/style_edits.h"
 
 #include <algorithm>
 #include <cassert>
@@ -10,20 +10,6 @@ namespace limner {
 namespace {
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity(); // the first and last have one neighbour
-
-/// Id of the style in the figure's list; joins the list where it is missing. A style of the user's own that happens to
-/// have the same id keeps it, and the bundled one gets another.
-std::string joinStyle(Figure& figure, const Style& style) {
-    const std::string file = "bundled:" + style.card.id;
-    for (const StyleEntry& entry : figure.styles)
-        if (entry.file == file || (entry.id == style.card.id && entry.sphere == style.sphere))
-            return entry.id;
-    std::string id = style.card.id;
-    for (int n = 2; figure.findStyle(id); ++n)
-        id = style.card.id + "-" + std::to_string(n);
-    figure.styles.push_back({id, file, style.card.name, style.card.credit, style.card.licence, style.sphere});
-    return id;
-}
 
 double middleOf(const OpacityPoints& points) { return points.empty() ? 0 : (points.front().x + points.back().x) / 2; }
 
@@ -96,7 +82,7 @@ Figure withStyle(const Figure& figure, std::size_t layer, std::optional<std::siz
             nodes[i].rgb.reset();
         }
     changed.shading = Shading::style;
-    dropUnusedBundledStyles(result);
+    dropUnusedStyles(result);
     return result;
 }
 

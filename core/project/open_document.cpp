@@ -218,7 +218,8 @@ class Resolver {
         });
     }
 
-    /// Calls `load` with a picture from inside the project or beside the figure; false where it is in neither.
+    /// Calls `load` with a picture from inside the project, from beside the figure, or from where its full path says;
+    /// false where it is in none of them.
     template <class Load>
     bool withPicture(const std::string& file, const Load& load) {
         const ArchiveEntry* entry = archive_ ? archive_->find(file) : nullptr;
@@ -226,7 +227,7 @@ class Resolver {
         if (entry != nullptr && entry->kind == EntryKind::style) {
             const TemporaryFolder temporary;
             load(unpack(*entry, temporary));
-        } else if (!archive_ && fs::is_regular_file(folder_ / file, ignored)) {
+        } else if ((!archive_ || fs::path(file).is_absolute()) && fs::is_regular_file(folder_ / file, ignored)) {
             load(folder_ / file);
         } else {
             return false;

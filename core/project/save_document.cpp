@@ -2,26 +2,25 @@
 #include "core/base/pending_file.h"
 #include "core/figure/figure_json.h"
 #include "core/project/archive.h"
+#include "core/project/backup.h"
 #include "core/project/embedded_volume.h"
 #include "core/project/project.h"
 #include "core/style/background_picture.h"
+#include "core/style/png_writing.h"
+#include "core/style/style_files.h"
 
-#include <OpenImageIO/imageio.h>
-#include <nlohmann/json.hpp>
+#include <zlib.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
-#include <chrono>
 #include <cstring>
 #include <fstream>
 #include <optional>
-#include <random>
 #include <set>
 #include <span>
 #include <sstream>
 
-#include <fcntl.h>
 #include <unistd.h>
 
 namespace limner {
@@ -52,37 +51,28 @@ std::string safeName(const std::string& id) {
     return name.empty() ? "style" : name;
 }
 
-/// 16-bit PNG of a square picture.
-std::string picturePng(int size, std::span<const Rgba> pixels, const fs::path& folder) {
-    const fs::path path = folder / "style.png";
-    OIIO::ImageSpec spec(size, size, 4, OIIO::TypeDesc::UINT16);
-    spec.attribute("oiio:ColorSpace", "sRGB");
-    spec.attribute("oiio:UnassociatedAlpha", 1); // as the sphere has it
-    const auto output = OIIO::ImageOutput::create(path.string());
-    const bool written = output != nullptr && output->open(path.string(), spec) &&
-                         output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()) && output->close();
-    if (!written) {
-        fail(path, output == nullptr ? OIIO::geterror() : output->geterror());
+/// What is to be said of a style in the project: the card beside its picture, where there is one, under the figure's
+/// words.
+StyleCard cardOf(const StyleEntry& style, const fs::path& picture) {
+    StyleCard card;
+    std::error_code ignored;
+    if (const fs::path file = cardFileOf(picture); fs::is_regular_file(file, ignored)) {
+        try {
+            card = loadStyleCard(file);
+        } catch (const Error&) { // a broken card must not keep a project from being saved
+            card = {};
+        }
     }
-    return fileBytes(path);
+    card.origin = card.origin.empty() ? picture.filename().string() : card.origin;
+    card.id = style.id;
+    card.name = style.name;
+    card.credit = style.credit;
+    card.licence = style.licence;
+    return card;
 }
 
-/// The picture that a tile was made of: half its factors.
-std::vector<Rgba> tilePicture(const TextureTile& tile) {
-    std::vector<Rgba> pixels = tile.pixels();
-    for (Rgba& texel : pixels) {
-        texel = {texel.r / 2, texel.g / 2, texel.b / 2, 1};
-    }
-    return pixels;
-}
-
-std::string styleCard(const StyleEntry& style) {
-    nlohmann::ordered_json card = {{"id", style.id},
-                                   {"name", style.name.empty() ? style.id : style.name},
-                                   {"origin", style.file},
-                                   {"credit", style.credit},
-                                   {"licence", style.licence}};
-    return card.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+std::uint32_t crcOf(const std::string& bytes) {
+    return static_cast<std::uint32_t>(crc32_z(0, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
 }
 
 /// What goes into the file, made before anything is written.
@@ -182,20 +172,76 @@ class Contents {
     void placeStyles(const Document& document) {
         for (StyleEntry& style : figure_.styles) {
             if (stays(document, style.file)) {
-                keep(fs::path(style.file).replace_extension(".json").string());
+                keep(cardFileOf(style.file).string());
             } else if (style.sphere != nullptr) {
-                const std::string name = freshName(safeName(style.id));
-                add(name + ".png", picturePng(style.sphere->size(), style.sphere->pixels(), temporary_.path()), false);
-                add(name + ".json", styleCard(style), true);
+                const std::string name = placePicture(safeName(style.id), pngBytes(*style.sphere));
+                const bool inArchive = old_ || style.file.empty();
+                placeCard(name + ".json",
+                          cardOf(style, inArchive ? fs::path(style.file) : folderOf(document.path) / style.file));
                 style.file = name + ".png";
             }
             if (style.texture && !stays(document, style.texture->file) && style.texture->tile != nullptr) {
-                const TextureTile& tile = *style.texture->tile;
-                const std::string name = freshName(safeName(style.id) + "-texture");
-                add(name + ".png", picturePng(tile.size(), tilePicture(tile), temporary_.path()), false);
-                style.texture->file = name + ".png";
+                style.texture->file =
+                    placePicture(safeName(style.id) + "-texture", pngBytes(*style.texture->tile)) + ".png";
             }
         }
+    }
+
+    /// Puts a picture into "styles", under the name of one that is the same already or under a new one, so that saving
+    /// again adds nothing and nothing is replaced that another figure may use. Gives the name without its ending.
+    std::string placePicture(const std::string& stem, std::string png) {
+        std::string name = "styles/" + stem;
+        while (!isFree(name + ".png")) {
+            if (holds(name + ".png", png)) {
+                keep(name + ".png");
+                return name;
+            }
+            name += "_";
+        }
+        add(name + ".png", std::move(png), false);
+        return name;
+    }
+
+    void placeCard(const std::string& name, const StyleCard& card) {
+        const std::string old = textAt(name);
+        if (names_.contains(name)) {
+            return; // a second style of the same name and picture
+        }
+        try {
+            add(name, cardText(card, old, name), true);
+        } catch (const Error&) { // the old one is broken
+            add(name, cardText(card), true);
+        }
+    }
+
+    [[nodiscard]] bool isFree(const std::string& name) const {
+        std::error_code ignored;
+        return !names_.contains(name) &&
+               (isBare() ? !fs::exists(target_.parent_path() / name, ignored) : !(old_ && old_->find(name) != nullptr));
+    }
+
+    /// Whether an entry, of the old file or the new, or a file beside a bare figure has these bytes.
+    [[nodiscard]] bool holds(const std::string& name, const std::string& bytes) const {
+        const auto fresh = std::find_if(entries_.begin(), entries_.end(), [&](const NewEntry& entry) {
+            return entry.name == name && entry.source == nullptr;
+        });
+        if (fresh != entries_.end()) {
+            return fresh->bytes == bytes;
+        }
+        if (isBare()) {
+            return fileBytes(target_.parent_path() / name) == bytes;
+        }
+        const ArchiveEntry* entry = old_ ? old_->find(name) : nullptr;
+        return entry != nullptr && entry->size == bytes.size() && entry->crc == crcOf(bytes);
+    }
+
+    /// What a card that is to be replaced says; empty where there is none.
+    [[nodiscard]] std::string textAt(const std::string& name) const {
+        if (isBare()) {
+            return fileBytes(target_.parent_path() / name);
+        }
+        const ArchiveEntry* entry = old_ ? old_->find(name) : nullptr;
+        return entry == nullptr ? "" : old_->read(*entry);
     }
 
     /// The picture goes into the project as it is; a bare figure keeps its path, unless the picture lies in an archive.
@@ -239,17 +285,8 @@ class Contents {
             return keep(file);
         }
         std::error_code ignored;
-        return isBare() && !old_ && !file.empty() &&
-               fs::equivalent(document.path.parent_path(), target_.parent_path(), ignored);
-    }
-
-    /// A name for pictures that is neither given yet nor in the old file.
-    [[nodiscard]] std::string freshName(const std::string& stem) const {
-        std::string name = "styles/" + stem;
-        while (names_.count(name + ".png") > 0 || (old_ && old_->find(name + ".png") != nullptr)) {
-            name += "_";
-        }
-        return name;
+        return isBare() && !old_ && !file.empty() && fs::path(file).is_relative() &&
+               fs::equivalent(folderOf(document.path), folderOf(target_), ignored);
     }
 
     void placeOther(const SaveOptions& options) {
@@ -302,84 +339,6 @@ void verify(const fs::path& temporary, const Contents& contents, Task& task) {
     }
 }
 
-void syncFolder(const fs::path& folder) {
-    if (const int handle = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-        handle >= 0) {
-        ::fsync(handle);
-        ::close(handle);
-    }
-}
-
-/// The old file under a second name until the new one stands; then it becomes the newest backup.
-class Backup {
-  public:
-    explicit Backup(const fs::path& path) : path_(path) {
-        std::error_code ignored;
-        if (!fs::is_regular_file(path, ignored)) {
-            return;
-        }
-        held_ = path.parent_path() / ("." + path.filename().string().substr(0, 200) + "." +
-                                      std::to_string(std::random_device()()) + ".part");
-        // A link costs nothing and the old file never lacks a name; a file system without links gets a copy.
-        if (::link(path.c_str(), held_.c_str()) != 0) {
-            std::error_code failure;
-            if (!fs::copy_file(path, held_, failure)) {
-                fs::remove(held_, ignored);
-                fail(path, "the backup cannot be made: " + failure.message());
-            }
-        }
-    }
-    ~Backup() {
-        std::error_code ignored;
-        if (!held_.empty()) {
-            fs::remove(held_, ignored);
-        }
-    }
-    Backup(const Backup&) = delete;
-    Backup& operator=(const Backup&) = delete;
-
-    void rotate(Task& task) {
-        if (held_.empty()) {
-            return;
-        }
-        const std::string newest = path_.string() + "~";
-        std::error_code failure;
-        if (fs::exists(newest, failure)) {
-            fs::rename(newest, newest + "~", failure);
-        }
-        fs::rename(held_, newest, failure);
-        if (failure) {
-            task.warn("the backup " + newest + " could not be kept: " + failure.message());
-            return;
-        }
-        held_.clear();
-        syncFolder(path_.parent_path());
-    }
-
-  private:
-    fs::path path_;
-    fs::path held_;
-};
-
-/// What a save that was killed left behind. None writes for ten minutes without a pause.
-void removeStale(const fs::path& path) {
-    const std::string start = "." + path.filename().string().substr(0, 200) + ".";
-    std::error_code ignored;
-    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-    for (const auto& entry : fs::directory_iterator(folder, ignored)) {
-        const std::string name = entry.path().filename().string();
-        const auto age = fs::file_time_type::clock::now() - entry.last_write_time(ignored);
-        if (name.starts_with(start) && name.ends_with(".part") && age > std::chrono::minutes(10)) {
-            fs::remove(entry.path(), ignored);
-        }
-    }
-}
-
-void writeFile(PendingFile& file, const std::string& bytes) {
-    std::fwrite(bytes.data(), 1, bytes.size(), file.stream());
-    file.check();
-}
-
 /// A bare figure.json: pictures beside it first, so that it never names one that is not there.
 void saveBare(const Contents& contents, const fs::path& path, Task& task) {
     for (const NewEntry& entry : contents.entries()) {
@@ -388,13 +347,12 @@ void saveBare(const Contents& contents, const fs::path& path, Task& task) {
             const fs::path place = path.parent_path() / entry.name;
             std::error_code ignored;
             fs::create_directories(place.parent_path(), ignored);
-            PendingFile file(place);
-            writeFile(file, entry.file.empty() ? entry.bytes : fileBytes(entry.file));
-            file.commit();
+            writeWholeFile(place, entry.file.empty() ? entry.bytes : fileBytes(entry.file));
         }
     }
     PendingFile file(path);
-    writeFile(file, contents.figureText());
+    std::fwrite(contents.figureText().data(), 1, contents.figureText().size(), file.stream());
+    file.check();
     Backup backup(path);
     file.commit();
     backup.rotate(task);
@@ -411,7 +369,7 @@ fs::path followed(const fs::path& path) {
 
 void saveDocument(const Document& document, const fs::path& path, const SaveOptions& options, Task& task) {
     const fs::path target = followed(path);
-    removeStale(target);
+    removeStaleParts(target);
     const Contents contents(document, target, options, task);
     if (target.extension() == ".json") {
         saveBare(contents, target, task);

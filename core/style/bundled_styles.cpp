@@ -38,7 +38,8 @@ class StyleFolder {
         });
         for (auto& [card, picture] : found) {
             cards_.push_back(card);
-            styles_.push_back({std::move(card), nullptr});
+            const std::string file = "bundled:" + card.id;
+            styles_.push_back({std::move(card), nullptr, file});
             pictures_.push_back(std::move(picture));
         }
         loaded_ = std::make_unique<std::once_flag[]>(styles_.size());

@@ -38,4 +38,8 @@ SquarePicture readSquarePicture(const fs::path& file, const PictureRules& rules)
     }
 }
 
+void checkSquarePicture(const fs::path& file, const PictureRules& rules) {
+    checkSize(PictureRows(file, {rules.what, rules.formats}), rules);
+}
+
 } // namespace limner

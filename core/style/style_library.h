@@ -9,8 +9,6 @@
 
 namespace limner {
 
-class TextureTile;
-
 /// The user's own styles on disk: `ID.png` (RGBA, 16 bits) with `ID.json`, and `ID-texture.png` where there is one.
 /// Every write is whole or not at all. Nothing is held in memory: several programs may use one folder. Any thread.
 class StyleLibrary {
@@ -29,16 +27,18 @@ class StyleLibrary {
     [[nodiscard]] Listing list() const;
     /// With picture and texture; `Style::file` is the picture's path. Throws Error(badInput), also where there is none.
     [[nodiscard]] Style load(const std::string& id) const;
-    /// Writes a style; id and name get a number where they are taken (here, or by a bundled style). Gives the card as
-    /// written. Throws Error(noResources) for a folder that cannot be written.
+    /// Writes a style; id (of the name where the card has none) and name get a number where they are taken (here, or by
+    /// a bundled style). Gives the card as written. Throws Error(noResources) for a folder that cannot be written.
     StyleCard add(const Style& style) const;
-    /// Name, tags, origin, credit, licence of the style with that id.
+    /// Name, tags, origin, credit, licence of the style with that id; what else its card says stays. Throws as `add`,
+    /// and Error(badInput) for a card that cannot be read.
     void change(const StyleCard& card) const;
 
     /// Puts the files aside, in the folder's `removed`; the last twenty are kept there.
     void remove(const std::string& id) const;
-    /// Brings back what `remove` put aside.
-    void restore(const std::string& id) const;
+    /// Brings back what `remove` put aside last under that id; where another style has it by now, with a number. Gives
+    /// the card. Throws Error(badInput) where nothing of that id is kept.
+    StyleCard restore(const std::string& id) const;
 
     /// Ids of favourites, bundled ones as "bundled:ID".
     [[nodiscard]] std::set<std::string> favourites() const;

@@ -18,12 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr PictureRules kTiles{"cannot read the texture",
-                              {16, 2048},
-                              "crop it to a square that repeats without a seam",
-                              "bring it to a width from 16 to 2048, 256 is plenty",
-                              "use a PNG, TIFF, JPEG or EXR picture"};
-
 float mix(float a, float b, double weight) {
     // In this form equal ends give back exactly that value.
     return static_cast<float>(a + weight * (static_cast<double>(b) - a));
@@ -132,14 +126,15 @@ std::shared_ptr<const TextureTile> TextureTile::half() const {
 Rgba TextureTile::at(double u, double v) const { return read(pixels_, size_, {u, v}); }
 
 std::shared_ptr<const TextureTile> loadTextureTile(const fs::path& picture) {
-    SquarePicture square = readSquarePicture(picture, kTiles);
+    SquarePicture square = readSquarePicture(picture, kTileRules);
     try {
         std::transform(square.pixels.begin(), square.pixels.end(), square.pixels.begin(), factorOf);
         const auto size = static_cast<int>(std::bit_ceil(static_cast<unsigned>(square.size)));
         return std::make_shared<const TextureTile>(size, size == square.size ? std::move(square.pixels)
                                                                              : resampled(square, size));
     } catch (const std::bad_alloc&) {
-        throw Error(ErrorKind::noResources, {kTiles.what, picture.string(), "out of memory", "use a smaller picture"});
+        throw Error(ErrorKind::noResources,
+                    {kTileRules.what, picture.string(), "out of memory", "use a smaller picture"});
     }
 }
 

@@ -58,7 +58,11 @@ TEST(Program, HelpOfEveryCommandHasExamplesAndEndsWell) {
                                                          {"validate"},
                                                          {"explain"},
                                                          {"self-test"},
+                                                         {"style", "extract"},
+                                                         {"style", "add"},
+                                                         {"style", "show"},
                                                          {"style", "list"},
+                                                         {"style", "remove"},
                                                          {"theme", "list"},
                                                          {"preset", "list"},
                                                          {"figure", "list"}};
