@@ -198,7 +198,8 @@ int StyleExtractCommand::extractFromArtwork(Console& console) const {
     } else if (!texture_.empty()) {
         task.warn("the form is too small for a texture; " + texture_ + " was not written");
     }
-    for (const std::string& advice : verdictOf(extraction.figures).advice) {
+    for (const std::string& advice :
+         verdictOf(extraction.figures, std::holds_alternative<FormRegion>(form.form)).advice) {
         task.warn(advice);
     }
     Style style = styleOf(extraction.sphere, fs::path(art_).filename().string() + ", " + form.words);
@@ -218,7 +219,7 @@ void StyleExtractCommand::report(Console& console, const Style& style, const Pla
                     {"largest_hole_deg", figures.largestHoleDegrees}};
         facts[ellipse != nullptr ? ellipseKind(*ellipse) : "region"] =
             ellipse != nullptr ? ellipseFacts(*ellipse) : Facts(form.words.substr(form.words.find(' ') + 1));
-        facts["placement_rmse"] = figures.placementRmse ? Facts(*figures.placementRmse) : Facts(nullptr);
+        facts["form_rmse"] = figures.formRmse ? Facts(*figures.formRmse) : Facts(nullptr);
         facts["style"] = {{"id", style.card.id},
                           {"name", style.card.name},
                           {"file", out_.empty() ? Facts(nullptr) : Facts(out_)},
@@ -227,13 +228,14 @@ void StyleExtractCommand::report(Console& console, const Style& style, const Pla
         printFacts(console, facts);
         return;
     }
-    const std::string placement = verdictOf(figures).placement;
+    const std::string clause = verdictOf(figures, ellipse == nullptr).form;
     std::string text = factLine("taken from", form.words) +
                        factLine("coverage", percent(figures.coverage) + " of the ball was seen") +
                        factLine("residual", thousandths(figures.residualRmse) + " RMSE of the region shaded again") +
                        factLine("widest gap", numberText(std::round(figures.largestHoleDegrees)) + " degrees");
-    if (figures.placementRmse) {
-        text += factLine("placement", thousandths(*figures.placementRmse) + " RMSE: " + placement);
+    if (figures.formRmse) {
+        text +=
+            factLine(ellipse != nullptr ? "placement" : "depth", thousandths(*figures.formRmse) + " RMSE: " + clause);
     }
     text += out_.empty() ? "" : factLine("style", out_);
     text += add_ ? factLine("added as", style.card.id) : "";

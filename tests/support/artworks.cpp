@@ -146,7 +146,7 @@ LitSphere boldStyle(int size) {
     });
 }
 
-Picture withNoise(Picture picture, double deviation) {
+ArtPicture withNoise(ArtPicture picture, double deviation) {
     std::mt19937 random(7);
     std::normal_distribution<float> noise(0, static_cast<float>(deviation));
     for (Rgba& c : picture.pixels) {
@@ -156,7 +156,7 @@ Picture withNoise(Picture picture, double deviation) {
     return picture;
 }
 
-Picture throughJpeg(const Picture& picture, int quality) {
+ArtPicture throughJpeg(const ArtPicture& picture, int quality) {
     const auto file = std::filesystem::temp_directory_path() / ("limner-artwork-" + std::to_string(getpid()) + ".jpg");
     OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeDesc::UINT8);
     spec.attribute("Compression", "jpeg:" + std::to_string(quality));
@@ -164,7 +164,7 @@ Picture throughJpeg(const Picture& picture, int quality) {
     output->open(file.string(), spec);
     output->write_image(OIIO::TypeDesc::FLOAT, picture.pixels.data(), sizeof(Rgba));
     output->close();
-    Picture read = picture;
+    ArtPicture read = picture;
     const auto input = OIIO::ImageInput::open(file.string());
     input->read_image(0, 0, 0, 3, OIIO::TypeDesc::FLOAT, read.pixels.data(), sizeof(Rgba));
     input->close();
@@ -172,7 +172,7 @@ Picture throughJpeg(const Picture& picture, int quality) {
     return read;
 }
 
-Picture withLetters(Picture picture) {
+ArtPicture withLetters(ArtPicture picture) {
     cv::Mat mat(picture.height, picture.width, CV_32FC4, picture.pixels.data());
     for (int y = 20; y < picture.height; y += 34) {
         cv::putText(mat, "Os ilium  crista  spina  anterior", {6 + (y / 34) % 2 * 17, y}, cv::FONT_HERSHEY_SIMPLEX, 0.5,
@@ -181,8 +181,8 @@ Picture withLetters(Picture picture) {
     return picture;
 }
 
-Picture lineDrawing() {
-    Picture picture = withNoise({300, 300, std::vector<Rgba>(90'000, kGround)}, 0.02);
+ArtPicture lineDrawing() {
+    ArtPicture picture = withNoise({300, 300, std::vector<Rgba>(90'000, kGround)}, 0.02);
     cv::Mat mat(300, 300, CV_32FC4, picture.pixels.data());
     const cv::Scalar ink(0.1, 0.1, 0.1, 1);
     cv::circle(mat, {150, 150}, 100, ink, 2, cv::LINE_AA);

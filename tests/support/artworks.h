@@ -15,7 +15,7 @@ namespace limner::testing {
 
 /// A form drawn in a known style on a plain ground, antialiased, and the truth about it.
 struct SyntheticArt {
-    Picture picture;
+    ArtPicture picture;
     Mask form;                      ///< pixels whose centre lies on it
     std::vector<glm::vec2> normals; ///< at pixel centres, n_y up; NaN off the form
 };
@@ -39,14 +39,14 @@ LitSphere plainStyle(int size = 256);
 LitSphere boldStyle(int size = 256);
 
 /// Seeded noise of that deviation on each channel, clipped.
-Picture withNoise(Picture picture, double deviation);
+ArtPicture withNoise(ArtPicture picture, double deviation);
 /// Through a JPEG of that quality.
-Picture throughJpeg(const Picture& picture, int quality);
+ArtPicture throughJpeg(const ArtPicture& picture, int quality);
 /// Black letters over the picture, rows of them.
-Picture withLetters(Picture picture);
+ArtPicture withLetters(ArtPicture picture);
 
 /// Paper with a circle of radius 100 and a few lines inside it, and no tone: 300 pixels square.
-Picture lineDrawing();
+ArtPicture lineDrawing();
 
 /// RMSE over the channels between two spheres where `covered` says so and the texel lies on the disk.
 double sphereError(const LitSphere& a, const LitSphere& b, const Mask& covered);

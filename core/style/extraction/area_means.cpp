@@ -29,7 +29,7 @@ Reduction reductionOf(glm::ivec2 corner, glm::ivec2 size, int longest) {
     return r;
 }
 
-AreaMeans::AreaMeans(const Reduction& reduction, int firstRow, int endRow, Picture& copy)
+AreaMeans::AreaMeans(const Reduction& reduction, int firstRow, int endRow, ArtPicture& copy)
     : r_(reduction), copy_(copy), current_(firstRow), end_(endRow), weights_(static_cast<std::size_t>(r_.width)),
       across_(weights_.size()) {
     const auto rowAt = [&](double row) { return r_.origin.y + row * r_.scale; };

@@ -31,7 +31,7 @@ Reduction reductionOf(glm::ivec2 corner, glm::ivec2 size, int longest);
 class AreaMeans {
   public:
     /// Writes rows `firstRow` on and before `endRow` of the copy, whose pixels are there already.
-    AreaMeans(const Reduction& reduction, int firstRow, int endRow, Picture& copy);
+    AreaMeans(const Reduction& reduction, int firstRow, int endRow, ArtPicture& copy);
 
     /// Rows of the source that count for the rows asked for.
     [[nodiscard]] int top() const { return top_; }
@@ -51,7 +51,7 @@ class AreaMeans {
     };
 
     Reduction r_;
-    Picture& copy_;
+    ArtPicture& copy_;
     int current_;
     int end_;
     int top_ = 0;

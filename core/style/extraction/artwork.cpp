@@ -34,8 +34,8 @@ PictureRows openRows(const fs::path& file) {
     return {file, {kWhat, "use a TIFF, PNG, JPEG, PSD, WebP or EXR picture"}};
 }
 
-Picture blankPicture(const Reduction& reduction) {
-    Picture picture{reduction.width, reduction.height, {}};
+ArtPicture blankPicture(const Reduction& reduction) {
+    ArtPicture picture{reduction.width, reduction.height, {}};
     picture.pixels.resize(picture.offset(0, reduction.height));
     return picture;
 }
@@ -88,8 +88,8 @@ namespace {
 
 /// A reduction of rows that can be read in any order: `readRow(y, row)` gives the columns that count.
 template <typename ReadRow>
-Picture reduceRows(const Reduction& r, const ReadRow& readRow, const Task& task) {
-    Picture copy = blankPicture(r);
+ArtPicture reduceRows(const Reduction& r, const ReadRow& readRow, const Task& task) {
+    ArtPicture copy = blankPicture(r);
     const auto reduce = [&](const tbb::blocked_range<int>& rows) {
         std::vector<Rgba> row(static_cast<std::size_t>(r.right - r.left));
         if (r.scale <= 1) {
@@ -111,7 +111,7 @@ Picture reduceRows(const Reduction& r, const ReadRow& readRow, const Task& task)
 }
 
 /// Reads rows of a picture from the column `left` on.
-auto rowsOf(const Picture& picture, int left) {
+auto rowsOf(const ArtPicture& picture, int left) {
     return [&picture, left](int y, std::span<Rgba> row) {
         std::copy_n(picture.pixels.data() + picture.offset(left, y), row.size(), row.begin());
     };
@@ -184,7 +184,7 @@ Artwork::Artwork(fs::path file, Task& task) : file_(std::move(file)) {
     }
 }
 
-Artwork::Artwork(Picture picture, std::string name)
+Artwork::Artwork(ArtPicture picture, std::string name)
     : file_(std::move(name)), width_(picture.empty() ? 0 : picture.width),
       height_(picture.empty() ? 0 : picture.height) {
     if (picture.empty()) {

@@ -23,7 +23,7 @@ struct ArtRect {
 
 /// A part of an artwork, reduced by a box filter.
 struct ArtCut {
-    Picture picture;
+    ArtPicture picture;
     glm::dvec2 origin{0, 0}; ///< artwork place of the cut's top left corner
     double scale = 1;        ///< artwork pixels per pixel of the cut, at least 1
 
@@ -43,7 +43,7 @@ class Artwork {
     /// Throws Error(badInput), Error(noResources), Error(cancelled).
     Artwork(std::filesystem::path file, Task& task);
     /// Of pixels in memory: tests, and a picture pasted from the clipboard. `name` stands in for the file.
-    Artwork(Picture picture, std::string name);
+    Artwork(ArtPicture picture, std::string name);
 
     [[nodiscard]] const std::filesystem::path& file() const { return file_; }
     [[nodiscard]] int width() const { return width_; }

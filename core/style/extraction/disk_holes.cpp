@@ -28,7 +28,7 @@ glm::dvec3 direction(int side, int x, int y) {
 
 } // namespace
 
-double diskCoverage(const Picture& disk) {
+double diskCoverage(const ArtPicture& disk) {
     int all = 0;
     int covered = 0;
     for (int y = 0; y < disk.height; ++y) {
@@ -41,7 +41,7 @@ double diskCoverage(const Picture& disk) {
     return all > 0 ? static_cast<double>(covered) / all : 0;
 }
 
-double largestHoleDegrees(const Picture& disk) {
+double largestHoleDegrees(const ArtPicture& disk) {
     const int side = disk.width;
     // Distances to covered texels of the disk, and which one is nearest, in the picture's plane.
     cv::Mat uncovered(side, side, CV_8U, cv::Scalar(255));
@@ -66,19 +66,22 @@ double largestHoleDegrees(const Picture& disk) {
             }
         }
     }
-    double smallest = 1;
+    double widest = 0;
     for (int y = 0; y < side; ++y) {
         for (int x = 0; x < side; ++x) {
             if (onDisk(side, x, y) && uncovered.at<std::uint8_t>(y, x) != 0) {
-                smallest = std::min(
-                    smallest, glm::dot(direction(side, x, y), nearest[static_cast<std::size_t>(labels.at<int>(y, x))]));
+                const glm::dvec3 here = direction(side, x, y);
+                const double cosine = glm::dot(here, nearest[static_cast<std::size_t>(labels.at<int>(y, x))]);
+                const double reach = std::acos(std::clamp(cosine, -1.0, 1.0));
+                // Beyond the rim there are no directions that could be missing.
+                widest = std::max(widest, reach + std::min(reach, std::asin(std::clamp(here.z, 0.0, 1.0))));
             }
         }
     }
-    return 2 * std::acos(std::clamp(smallest, -1.0, 1.0)) * 180 / 3.14159265358979323846;
+    return widest * 180 / 3.14159265358979323846;
 }
 
-void fillHoles(Picture& disk, Task& task) {
+void fillHoles(ArtPicture& disk, Task& task) {
     const int side = disk.width;
     Membrane membrane{side,
                       side,

@@ -10,11 +10,12 @@ class Task;
 /// whose centre lies outside the inscribed disk do not count. Internal to core/style/extraction.
 
 /// Share of the disk that had votes.
-double diskCoverage(const Picture& disk);
-/// Twice the largest angle between a direction without votes and the nearest one with some; 0 where all had.
-double largestHoleDegrees(const Picture& disk);
+double diskCoverage(const ArtPicture& disk);
+/// The widest stretch of directions without votes: around each of them, as far as the nearest one with some, but not
+/// beyond the rim. 0 where all had.
+double largestHoleDegrees(const ArtPicture& disk);
 /// Fills the holes by a membrane over the disk, free at its rim, held by what is covered; all alphas become 1. At least
 /// one texel must be covered. Throws Error(cancelled).
-void fillHoles(Picture& disk, Task& task);
+void fillHoles(ArtPicture& disk, Task& task);
 
 } // namespace limner

@@ -147,7 +147,7 @@ Looked look(const Artwork& artwork, const ExtractionRequest& request, Task& task
     }
     Looked looked;
     looked.cut = artwork.cut(around(*box), kLongest, task);
-    const Picture& picture = looked.cut.picture;
+    const ArtPicture& picture = looked.cut.picture;
     looked.normals = ellipse != nullptr
                          ? ellipseNormals(looked.cut, *ellipse)
                          : formNormals(looked.cut, overCut(region->mask, artwork, looked.cut), region->marks, task);
@@ -175,7 +175,7 @@ std::vector<Vote> votesOf(const Looked& looked) {
     // Halves in small blocks: neighbours share the scan's grain and its compression, and would vouch for one another.
     constexpr int kBlock = 4;
     std::vector<Vote> votes;
-    const Picture& picture = looked.cut.picture;
+    const ArtPicture& picture = looked.cut.picture;
     for (int y = 0; y < picture.height; ++y) {
         for (int x = 0; x < picture.width; ++x) {
             if (looked.pixels.has(x, y)) {
@@ -198,7 +198,7 @@ float toneOf(std::vector<float>& values) {
 }
 
 /// Blank paper has one tone; so has line art, between its lines.
-void checkTone(const Artwork& artwork, const Picture& disk) {
+void checkTone(const Artwork& artwork, const ArtPicture& disk) {
     constexpr int kPatches = 8; // a side
     const int patch = disk.width / kPatches;
     constexpr float Rgba::*kChannels[] = {&Rgba::r, &Rgba::g, &Rgba::b};
@@ -236,7 +236,7 @@ struct Disk {
     Mask covered;
 };
 
-Disk finish(Picture gathered, int size, Task& task) {
+Disk finish(ArtPicture gathered, int size, Task& task) {
     cv::Mat had(gathered.height, gathered.width, CV_8U);
     for (std::size_t i = 0; i < gathered.pixels.size(); ++i) {
         had.data[i] = gathered.pixels[i].a > 0 ? 255 : 0;
@@ -258,7 +258,7 @@ Disk finish(Picture gathered, int size, Task& task) {
 }
 
 void shadeAgain(const Looked& looked, const LitSphere& sphere, Extraction& result) {
-    const Picture& art = looked.cut.picture;
+    const ArtPicture& art = looked.cut.picture;
     result.reshaded = {art.width, art.height, std::vector<Rgba>(art.pixels.size(), Rgba{0, 0, 0, 0})};
     result.difference = result.reshaded;
     tbb::parallel_for(0, art.height, [&](int y) {
@@ -276,7 +276,7 @@ void shadeAgain(const Looked& looked, const LitSphere& sphere, Extraction& resul
 }
 
 /// RMSE between two disks where both had votes.
-double differenceOf(const Picture& a, const Picture& b) {
+double differenceOf(const ArtPicture& a, const ArtPicture& b) {
     double sum = 0;
     double count = 0;
     for (std::size_t i = 0; i < std::min(a.pixels.size(), b.pixels.size()); ++i) {

@@ -39,11 +39,11 @@ struct Extraction {
     SpherePtr sphere;
     std::shared_ptr<const TextureTile> texture; ///< null where not asked for, or the form is too small
     ExtractionFigures figures;
-    ArtCut cut;         ///< what was looked at
-    Picture reshaded;   ///< over the cut: the region shaded again; alpha 0 outside
-    Picture difference; ///< over the cut: 1/2 + (artwork - reshaded) / 2; alpha 0 outside
-    Mask covered;       ///< over the sphere's picture
-    SpherePtr unedited; ///< before `edits`: let a dialog change those without extracting again
+    ArtCut cut;            ///< what was looked at
+    ArtPicture reshaded;   ///< over the cut: the region shaded again; alpha 0 outside
+    ArtPicture difference; ///< over the cut: 1/2 + (artwork - reshaded) / 2; alpha 0 outside
+    Mask covered;          ///< over the sphere's picture
+    SpherePtr unedited;    ///< before `edits`: let a dialog change those without extracting again
 };
 
 /// Takes a style from an artwork (spec style-extraction.md; after Sloan, Martin, Gooch, Gooch 2001). Below a second on

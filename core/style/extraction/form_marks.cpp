@@ -30,7 +30,7 @@ class MarksReader {
     }
 
     FormMarks marks(const Json& json) const {
-        members(json, "", {"normals", "creases", "open"});
+        members(json, "", {"normals", "creases", "open", "depth"});
         FormMarks marks;
         each(json, "normals", [&](const Json& mark, const std::string& place) {
             members(mark, place, {"at", "normal"});
@@ -57,6 +57,12 @@ class MarksReader {
         });
         each(json, "open",
              [&](const Json& path, const std::string& place) { marks.open.push_back(pathOf(path, place)); });
+        if (json.contains("depth")) {
+            marks.depth = numberOf(json["depth"], "/depth");
+            if (!(marks.depth >= 0.1 && marks.depth <= 10)) {
+                fail("/depth", "a form's depth is 0.1 to 10 times its width");
+            }
+        }
         return marks;
     }
 

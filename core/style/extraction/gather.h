@@ -22,7 +22,7 @@ struct Vote {
 
 /// Colours over the disk of normals, gathered from votes.
 struct Gathered {
-    Picture picture; ///< square; alpha 1 where there were votes, else 0 and the colour is undefined
+    ArtPicture picture; ///< square; alpha 1 where there were votes, else 0 and the colour is undefined
     /// A vote's distance from the gathered colour at its normal, by the sphere of the OTHER half's votes: RMS.
     double heldOutRmse = 0;
 };

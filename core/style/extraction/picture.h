@@ -9,7 +9,7 @@
 namespace limner {
 
 /// Pixels of a picture, top row first: sRGB-encoded, alpha not premultiplied.
-struct Picture {
+struct ArtPicture {
     int width = 0;
     int height = 0;
     std::vector<Rgba> pixels; ///< width * height

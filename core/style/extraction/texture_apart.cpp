@@ -35,7 +35,7 @@ cv::Rect facingSquare(const NormalField& normals, const Mask& looked) {
 }
 
 /// Factors of the lighting over the square; 1 where nothing can be said.
-cv::Mat factorsOver(const cv::Rect& square, const Picture& art, const Picture& reshaded, const Mask& looked) {
+cv::Mat factorsOver(const cv::Rect& square, const ArtPicture& art, const ArtPicture& reshaded, const Mask& looked) {
     cv::Mat factors(square.height, square.width, CV_32FC3);
     const auto quotient = [](float seen, float lit) {
         return lit < kLeastLighting ? 1.0F : std::min(kMostFactor, seen / lit);
@@ -81,8 +81,8 @@ cv::Mat seamless(const cv::Mat& factors) {
 
 } // namespace
 
-std::shared_ptr<const TextureTile> textureApart(const Picture& art, const NormalField& normals, const Picture& reshaded,
-                                                const Mask& looked) {
+std::shared_ptr<const TextureTile> textureApart(const ArtPicture& art, const NormalField& normals,
+                                                const ArtPicture& reshaded, const Mask& looked) {
     const cv::Rect square = facingSquare(normals, looked);
     if (square.width < kLeastSide) {
         return nullptr;

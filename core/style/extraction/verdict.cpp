@@ -7,6 +7,8 @@ namespace {
 constexpr double kSeen = 0.01;
 constexpr double kPlain = 0.03;
 constexpr double kStriking = 0.08;
+/// A quarter more depth moves soft shading by 0.02; twice that, and edges of light are at stake.
+constexpr double kUncertain = 0.05;
 /// Below half, most of what is drawn would come from filling.
 constexpr double kLittleCoverage = 0.5;
 /// A ninth of the half turn that a ball shows: one sees that there is something missing.
@@ -24,11 +26,18 @@ std::string placementWords(double rmse) {
 
 } // namespace
 
-Verdict verdictOf(const ExtractionFigures& figures) {
+Verdict verdictOf(const ExtractionFigures& figures, bool region) {
     Verdict verdict;
-    if (figures.placementRmse) {
-        verdict.placement = placementWords(*figures.placementRmse);
-        if (*figures.placementRmse >= kPlain) {
+    if (figures.formRmse && region) {
+        verdict.form = *figures.formRmse < kPlain ? "its depth matters little" : "its depth matters";
+        if (*figures.formRmse >= kUncertain) {
+            verdict.advice.emplace_back(
+                "How deep the form is no picture tells, and here it matters: set the depth in the "
+                "marks, or mark some normals inside it.");
+        }
+    } else if (figures.formRmse) {
+        verdict.form = placementWords(*figures.formRmse);
+        if (*figures.formRmse >= kPlain) {
             verdict.advice.emplace_back("The outline does not follow the picture's edge, so colours come to lie at the "
                                         "wrong places of the ball: snap it, or move it by hand.");
         }

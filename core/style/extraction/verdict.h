@@ -9,9 +9,10 @@ namespace limner {
 
 /// What an extraction's figures mean, in plain words.
 struct Verdict {
-    std::string placement;           ///< one clause: "the outline sits on the edge"; empty where nothing is known
+    std::string form;                ///< one clause: "the outline sits on the edge"; empty where nothing is known
     std::vector<std::string> advice; ///< a sentence for each figure that is bad, with what to do about it
 };
-Verdict verdictOf(const ExtractionFigures& figures);
+/// `region`: the form is a region, not a ball.
+Verdict verdictOf(const ExtractionFigures& figures, bool region);
 
 } // namespace limner

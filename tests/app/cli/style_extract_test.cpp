@@ -38,7 +38,7 @@ TEST_F(StyleExtract, ACircleGivesAStyleItsCardAndTheFigures) {
     EXPECT_LT(facts.at("residual_rmse").get<double>(), 0.02);
     EXPECT_LT(facts.at("largest_hole_deg").get<double>(), 15);
     EXPECT_EQ(facts.at("circle"), nlohmann::json({90, 80, 50}));
-    EXPECT_TRUE(facts.at("placement_rmse").is_null() || facts.at("placement_rmse") < 0.03);
+    EXPECT_TRUE(facts.at("form_rmse").is_null() || facts.at("form_rmse") < 0.03);
     EXPECT_EQ(facts.at("style").at("id"), "warm-clay");
     EXPECT_EQ(facts.at("style").at("file"), path("ball.png"));
     EXPECT_TRUE(facts.at("warnings").is_array());

@@ -36,8 +36,8 @@ Rgba broad(int x, int y) {
     return {slope(x, 290), slope(y, 230), slope(x + y, 630)};
 }
 
-Picture pictureOf(int width, int height, const Colour& colour) {
-    Picture picture{width, height, {}};
+ArtPicture pictureOf(int width, int height, const Colour& colour) {
+    ArtPicture picture{width, height, {}};
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
             picture.pixels.push_back(colour(x, y));
@@ -53,7 +53,7 @@ struct FileForm {
     const char* compression = "none";
 };
 
-fs::path write(const fs::path& path, const Picture& picture, const FileForm& form = {}) {
+fs::path write(const fs::path& path, const ArtPicture& picture, const FileForm& form = {}) {
     OIIO::ImageSpec spec(picture.width, picture.height, form.channels, form.type);
     spec.attribute("oiio:UnassociatedAlpha", 1);
     spec.attribute("compression", form.compression);
@@ -188,7 +188,7 @@ TEST_F(Artworks, CutsAreClippedToTheArtwork) {
     EXPECT_EQ(artwork.cut({-kMost, -1, kMost, kMost}, 100, task_).picture.width, 0);
     EXPECT_EQ(artwork.cut({-1, -1, kMost, kMost}, 100, task_).picture.width, 50);
     EXPECT_EQ(artwork.cut({0, 0, 50, 40}, 0, task_).picture.width, 1);
-    EXPECT_TRUE(Artwork(Picture{}, "nothing").cut({0, 0, 9, 9}, 9, task_).picture.empty());
+    EXPECT_TRUE(Artwork(ArtPicture{}, "nothing").cut({0, 0, 9, 9}, 9, task_).picture.empty());
 }
 
 TEST_F(Artworks, OpaqueStaysOpaque) {

@@ -11,8 +11,8 @@ namespace {
 
 /// A disk in a linear colour, with holes where `hole` says so of a normal.
 template <typename Hole>
-Picture diskWith(int side, Hole hole) {
-    Picture disk{side, side, {}};
+ArtPicture diskWith(int side, Hole hole) {
+    ArtPicture disk{side, side, {}};
     for (int y = 0; y < side; ++y) {
         for (int x = 0; x < side; ++x) {
             const double nx = (2.0 * x + 1) / side - 1;
@@ -36,17 +36,21 @@ TEST(DiskHoles, CoverageIsTheShareOfTheDisk) {
 TEST(DiskHoles, TheLargestIsMeasuredInDegrees) {
     // All directions within 20 degrees of the viewer's are missing: a gap 40 degrees wide.
     const double radius = std::sin(20 * 3.14159265358979 / 180);
-    const Picture cap = diskWith(400, [&](double x, double y) { return x * x + y * y < radius * radius; });
+    const ArtPicture cap = diskWith(400, [&](double x, double y) { return x * x + y * y < radius * radius; });
     EXPECT_NEAR(largestHoleDegrees(cap), 40, 1);
+    // A rim of 20 degrees is as wide as that: there is nothing on its other side.
+    const double inner = std::cos(20 * 3.14159265358979 / 180);
+    const ArtPicture rim = diskWith(400, [&](double x, double y) { return x * x + y * y > inner * inner; });
+    EXPECT_NEAR(largestHoleDegrees(rim), 20, 2);
     EXPECT_EQ(largestHoleDegrees(diskWith(64, [](double, double) { return false; })), 0);
     EXPECT_EQ(largestHoleDegrees(diskWith(64, [](double, double) { return true; })), 180);
 }
 
 TEST(DiskHoles, AMembraneBringsBackALinearColour) {
-    Picture disk = diskWith(128, [](double x, double y) { return std::hypot(x - 0.1, y + 0.2) < 0.35; });
+    ArtPicture disk = diskWith(128, [](double x, double y) { return std::hypot(x - 0.1, y + 0.2) < 0.35; });
     Task task;
     fillHoles(disk, task);
-    const Picture whole = diskWith(128, [](double, double) { return false; });
+    const ArtPicture whole = diskWith(128, [](double, double) { return false; });
     for (std::size_t i = 0; i < disk.pixels.size(); ++i) {
         EXPECT_EQ(disk.pixels[i].a, 1);
         if (whole.pixels[i].a > 0) {
@@ -58,7 +62,7 @@ TEST(DiskHoles, AMembraneBringsBackALinearColour) {
 
 TEST(DiskHoles, AHoleAtTheRimEndsLevel) {
     // Only a strip in the middle is known: outwards nothing pulls, so its edge's colour goes on.
-    Picture disk = diskWith(128, [](double x, double) { return std::abs(x) > 0.3; });
+    ArtPicture disk = diskWith(128, [](double x, double) { return std::abs(x) > 0.3; });
     Task task;
     fillHoles(disk, task);
     EXPECT_NEAR(disk.at(126, 64).r, 0.5 + 0.3 * 0.3, 0.02);

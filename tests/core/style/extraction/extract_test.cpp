@@ -18,21 +18,21 @@ using namespace limner::testing;
 
 const Ellipse kBall{{160.3, 149.7}, {120, 120}, 0};
 
-Extraction extracted(const Picture& picture, ExtractionRequest request) {
+Extraction extracted(const ArtPicture& picture, ExtractionRequest request) {
     const Artwork artwork(picture, "a drawing");
     Task task;
     return extractStyle(artwork, request, task);
 }
 
-Extraction extracted(const Picture& picture, std::variant<Ellipse, FormRegion> form) {
+Extraction extracted(const ArtPicture& picture, std::variant<Ellipse, FormRegion> form) {
     ExtractionRequest request;
     request.form = std::move(form);
     return extracted(picture, std::move(request));
 }
 
-Picture ball(const LitSphere& style) { return drawn(320, 300, ballForm(kBall), style).picture; }
+ArtPicture ball(const LitSphere& style) { return drawn(320, 300, ballForm(kBall), style).picture; }
 
-std::string refusal(const Picture& picture, const ExtractionRequest& request) {
+std::string refusal(const ArtPicture& picture, const ExtractionRequest& request) {
     try {
         extracted(picture, request);
     } catch (const Error& error) {
@@ -60,7 +60,7 @@ TEST(ExtractStyle, AScanLargerThanTheSphereLosesNothing) {
 
 struct Case {
     const char* name;
-    Picture picture;
+    ArtPicture picture;
     std::variant<Ellipse, FormRegion> form;
     Mask ignored = {};
 };
@@ -165,7 +165,7 @@ TEST(ExtractStyle, TheFiguresDoNotFlatter) {
 }
 
 TEST(ExtractStyle, AMisplacedCircleIsSeenInTheFigures) {
-    const Picture picture = ball(plainStyle());
+    const ArtPicture picture = ball(plainStyle());
     const Extraction right = extracted(picture, kBall);
     const Extraction wrong = extracted(picture, Ellipse{{172, 158}, {112, 112}, 0});
     ASSERT_TRUE(right.figures.formRmse && wrong.figures.formRmse);
@@ -193,7 +193,7 @@ TEST(ExtractStyle, TheDifferenceIsGreyWhereTheRegionIsExplained) {
 }
 
 TEST(ExtractStyle, TextureIsSetApartAndRepeats) {
-    Picture picture = ball(plainStyle());
+    ArtPicture picture = ball(plainStyle());
     for (int y = 0; y < picture.height; ++y) {
         for (int x = 0; x < picture.width; ++x) {
             const auto grain = static_cast<float>(1 + 0.15 * std::sin(0.9 * x) * std::sin(0.7 * y));
@@ -233,7 +233,7 @@ TEST(ExtractStyle, TextureIsSetApartAndRepeats) {
 }
 
 TEST(ExtractStyle, PaperCastGoes) {
-    Picture picture = ball(plainStyle());
+    ArtPicture picture = ball(plainStyle());
     const Rgba paper{0.93F, 0.9F, 0.82F, 1}; // as drawn
     const std::optional<Rgba> found = paperColour({picture, {0, 0}, 1});
     ASSERT_TRUE(found);
@@ -266,10 +266,10 @@ ExtractionRequest of(std::variant<Ellipse, FormRegion> form) {
 }
 
 TEST(ExtractStyle, SaysWhatIsWrongWithWhatItIsGiven) {
-    const Picture paper = withNoise({300, 300, std::vector<Rgba>(90'000, Rgba{0.9F, 0.88F, 0.8F, 1})}, 0.02);
+    const ArtPicture paper = withNoise({300, 300, std::vector<Rgba>(90'000, Rgba{0.9F, 0.88F, 0.8F, 1})}, 0.02);
     EXPECT_NE(refusal(paper, of(Ellipse{{150, 150}, {100, 100}, 0})).find("no shading"), std::string::npos);
     EXPECT_NE(refusal(lineDrawing(), of(Ellipse{{150, 150}, {98, 98}, 0})).find("no shading"), std::string::npos);
-    const Picture good = ball(plainStyle());
+    const ArtPicture good = ball(plainStyle());
     EXPECT_NE(refusal(good, of(Ellipse{{900, 900}, {50, 50}, 0})).find("outside the scan"), std::string::npos);
     EXPECT_NE(refusal(good, of(Ellipse{{160, 150}, {2, 2}, 0})).find("pixels of it count"), std::string::npos);
     EXPECT_NE(refusal(good, of(Ellipse{{160, 150}, {0, -5}, 0})).find("impossible"), std::string::npos);
@@ -278,7 +278,7 @@ TEST(ExtractStyle, SaysWhatIsWrongWithWhatItIsGiven) {
     EXPECT_NE(refusal(good, of(onePixel)).find("region is empty"), std::string::npos);
     onePixel.mask.values[150 * 320 + 160] = 255;
     EXPECT_NE(refusal(good, of(onePixel)).find("pixels of it count"), std::string::npos);
-    Picture clear = good;
+    ArtPicture clear = good;
     for (Rgba& c : clear.pixels) {
         c.a = 0;
     }

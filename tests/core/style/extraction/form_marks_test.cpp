@@ -37,11 +37,12 @@ TEST_F(MarksFiles, AreReadAsTheyAreWritten) {
     const FormMarks marks =
         load(R"({"normals": [{"at": [10, 20.5], "normal": [0.6, -0.8]}, {"at": [1, 2], "normal": [0, 0]}],
         "creases": [{"path": [[1, 2], [3, 4], [5, 6]], "tilt_deg": -45}, {"path": [[0, 0], [9, 9]]}],
-        "open": [[[7, 8], [9, 10]]]})");
+        "open": [[[7, 8], [9, 10]]], "depth": 0.5})");
     FormMarks expected;
     expected.normals = {{{10, 20.5}, {0.6, -0.8}}, {{1, 2}, {0, 0}}};
     expected.creases = {{{{1, 2}, {3, 4}, {5, 6}}, -45}, {{{0, 0}, {9, 9}}, 30}};
     expected.open = {{{7, 8}, {9, 10}}};
+    expected.depth = 0.5;
     EXPECT_EQ(marks, expected);
     EXPECT_EQ(load("{}"), FormMarks());
 }
@@ -57,6 +58,7 @@ TEST_F(MarksFiles, BadOnesAreRefusedWithTheirPlace) {
               std::string::npos);
     EXPECT_NE(refusal(R"({"normals": [{"at": [1], "normal": [0, 0]}]})").find("/normals/0/at"), std::string::npos);
     EXPECT_NE(refusal(R"({"normals": [{"normal": [0, 0]}]})").find("\"at\""), std::string::npos);
+    EXPECT_NE(refusal(R"({"depth": 0})").find("/depth"), std::string::npos);
     EXPECT_NE(refusal(R"({"normals": {}})").find("/normals"), std::string::npos);
     EXPECT_NE(refusal(R"({"creases": [{"path": [[1, 2]]}]})").find("/creases/0/path"), std::string::npos);
     EXPECT_NE(refusal(R"({"creases": [{"path": [[1, 2], [3, "4"]]}]})").find("/creases/0/path/1/1"), std::string::npos);

@@ -33,7 +33,7 @@ float slope(const Vote& v) { return 0.5F + 0.3F * v.x - 0.15F * v.y; }
 
 /// RMSE from `truth` where there were votes, within 0.95 of the disk.
 template <typename Truth>
-double errorOf(const Picture& disk, Truth truth) {
+double errorOf(const ArtPicture& disk, Truth truth) {
     double sum = 0;
     int count = 0;
     for (int y = 0; y < disk.height; ++y) {
