@@ -31,7 +31,7 @@ glm::vec4 Tones::between(glm::dvec2 place) const {
 }
 
 Tones tonesOf(const ArtCut& cut, glm::dvec2 low, glm::dvec2 high, int longest) {
-    const Picture& picture = cut.picture;
+    const ArtPicture& picture = cut.picture;
     const auto pixel = [](double place, int most) {
         return static_cast<int>(std::clamp(std::isfinite(place) ? place : 0.0, 0.0, static_cast<double>(most)));
     };
