@@ -93,12 +93,12 @@ void ArtworkCanvas::fit() {
 }
 
 void ArtworkCanvas::showPixels() {
-    view_.zoomTo(1 / devicePixelRatioF(), rect().center());
+    view_.zoomTo(1 / devicePixelRatioF(), QRectF(rect()).center());
     viewChanged();
 }
 
 void ArtworkCanvas::zoomBy(double factor) {
-    view_.zoomBy(factor, rect().center());
+    view_.zoomBy(factor, QRectF(rect()).center());
     viewChanged();
 }
 

@@ -146,7 +146,7 @@ void EllipseTool::paint(QPainter& painter) const {
         const bool under = hovered_ == i && way_ == Way::none;
         const QPolygonF outline = outlineOf(things[i].ellipse, host().view());
         painter.setBrush(under ? QColor(255, 255, 255, 60) : Qt::transparent);
-        painter.setPen(QPen(QColor(255, 255, 255, under ? 235 : 150), under ? 3.4 : 2.6));
+        painter.setPen(QPen(QColor(255, 255, 255, under ? 235 : 185), under ? 3.4 : 2.8));
         painter.drawPolygon(outline);
         QPen dashes(under ? host().colours().color(QPalette::Highlight) : QColor(0x1d, 0x2b, 0x45, 190),
                     under ? 1.8 : 1.2);

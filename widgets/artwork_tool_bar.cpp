@@ -82,7 +82,7 @@ ArtworkToolBar::ArtworkToolBar(QWidget* parent) : QWidget(parent) {
         QToolButton* button = textButton(tr(row.name), tr("%1 (%2)").arg(tr(row.tip), row.key));
         button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
         button->setIconSize({kIcon, kIcon});
-        button->setCheckable(true);
+        showWhenChosen(button);
         button->setAutoRaise(true);
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         button->setShortcut(QKeySequence(row.key));
@@ -202,7 +202,7 @@ QWidget* ArtworkToolOptions::pickerPage() {
         chips_[i] = textButton(roleName(role), tips[i]);
         chips_[i]->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
         chips_[i]->setIconSize({kChip, kChip});
-        chips_[i]->setCheckable(true);
+        showWhenChosen(chips_[i]);
         group->addButton(chips_[i], static_cast<int>(i));
         line->addWidget(chips_[i]);
     }

@@ -5,6 +5,8 @@
 #include <QPalette>
 #include <QPixmap>
 
+#include <tuple>
+
 namespace limner {
 namespace {
 
@@ -67,20 +69,22 @@ void drawTool(QPainter& painter, ToolKind kind) {
 
 QIcon toolIcon(ToolKind kind, const QPalette& palette, int side, double pixelRatio) {
     QIcon icon;
-    const std::pair<QIcon::Mode, QPalette::ColorGroup> modes[] = {{QIcon::Normal, QPalette::Active},
-                                                                  {QIcon::Disabled, QPalette::Disabled}};
-    for (const auto& [mode, group] : modes) {
+    const std::tuple<QIcon::Mode, QIcon::State, QColor> looks[] = {
+        {QIcon::Normal, QIcon::Off, palette.color(QPalette::Active, QPalette::ButtonText)},
+        {QIcon::Normal, QIcon::On, palette.color(QPalette::Active, QPalette::HighlightedText)},
+        {QIcon::Disabled, QIcon::Off, palette.color(QPalette::Disabled, QPalette::ButtonText)},
+        {QIcon::Disabled, QIcon::On, palette.color(QPalette::Disabled, QPalette::ButtonText)}};
+    for (const auto& [mode, state, ink] : looks) {
         QPixmap pixmap(QSize(side, side) * pixelRatio);
         pixmap.setDevicePixelRatio(pixelRatio);
         pixmap.fill(Qt::transparent);
         QPainter painter(&pixmap);
         painter.setRenderHint(QPainter::Antialiasing);
         painter.scale(side / 20.0, side / 20.0);
-        painter.setPen(
-            QPen(palette.color(group, QPalette::ButtonText), 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.setPen(QPen(ink, 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         drawTool(painter, kind);
         painter.end();
-        icon.addPixmap(pixmap, mode);
+        icon.addPixmap(pixmap, mode, state);
     }
     return icon;
 }

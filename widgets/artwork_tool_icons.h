@@ -6,7 +6,8 @@
 
 namespace limner {
 
-/// A tool as a line drawing in a palette's text colour; `side` in logical pixels.
+/// A tool as a line drawing in a palette's text colour, in its highlighted text's while chosen; `side` in logical
+/// pixels.
 QIcon toolIcon(ToolKind kind, const QPalette& palette, int side, double pixelRatio);
 
 } // namespace limner

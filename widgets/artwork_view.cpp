@@ -44,12 +44,11 @@ void ArtworkView::fit() {
     fits_ = true;
 }
 
-void ArtworkView::zoomBy(double factor, QPointF held) {
+void ArtworkView::zoomTo(double scale, QPointF held) {
     const glm::dvec2 place = toArtwork(held);
     const double least = std::min(1.0, fittingScale(widget_, artwork_) * kSmallestFit);
-    scale_ = std::clamp(scale_ * factor, least, kLargestScale);
-    const glm::dvec2 moved = toArtwork(held);
-    centre_ += place - moved;
+    scale_ = std::clamp(scale, least, kLargestScale);
+    centre_ = place - glm::dvec2(held.x() - widget_.width() / 2, held.y() - widget_.height() / 2) / scale_;
     fits_ = false;
     hold();
 }

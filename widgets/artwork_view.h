@@ -25,8 +25,8 @@ class ArtworkView {
     /// The whole artwork with a margin.
     void fit();
     /// What is under `held` stays there.
-    void zoomBy(double factor, QPointF held);
-    void zoomTo(double scale, QPointF held) { zoomBy(scale / scale_, held); }
+    void zoomTo(double scale, QPointF held);
+    void zoomBy(double factor, QPointF held) { zoomTo(scale_ * factor, held); }
     void panBy(QPointF pixels);
 
   private:

@@ -17,6 +17,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <utility>
 
 namespace limner {
@@ -36,7 +37,7 @@ QCheckBox* box(const QString& text, const QString& tip) {
 ExtractionForm::ExtractionForm(QWidget* parent)
     : QWidget(parent), pictureRow_(new QGridLayout), view_(new ExtractionView),
       filled_(box(tr("Show what is filled in"), tr("Tints the parts of the ball that were not seen in the artwork"))),
-      noFigures_(new QLabel),
+      advice_(new QLabel),
       depth_(new SliderRow(tr("Depth"), tr("How deep the form is: 1 as deep as it is wide, less for a relief"),
                            {0.1, 4, 0.05, 2})),
       smoothing_(
@@ -52,13 +53,15 @@ ExtractionForm::ExtractionForm(QWidget* parent)
     pictureRow_->setVerticalSpacing(4);
     pictureRow_->addWidget(buildSwitch(), 0, 0);
     pictureRow_->addWidget(view_, 1, 0);
-    pictureRow_->setRowStretch(1, 1);
+    constexpr int kPictureHeight = 280;
+    pictureRow_->setRowMinimumHeight(1, kPictureHeight);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(8);
-    layout->addLayout(pictureRow_, 1);
+    layout->addLayout(pictureRow_);
     layout->addWidget(buildFigures());
     layout->addWidget(buildControls());
+    layout->addStretch(1);
     connectControls();
     setDraft({});
     setPictures(nullptr, {});
@@ -95,7 +98,7 @@ QWidget* ExtractionForm::buildSwitch() {
         {Shows::difference, tr("Difference"), tr("Grey: as in the artwork; lighter or darker: the artwork is")}};
     for (const auto& [shows, text, tip] : choices) {
         QToolButton* button = textButton(text, tip);
-        button->setCheckable(true);
+        showWhenChosen(button);
         button->setChecked(shows == Shows::ball);
         shows_->addButton(button, static_cast<int>(shows));
         layout->addWidget(button);
@@ -121,9 +124,13 @@ QWidget* ExtractionForm::buildFigures() {
         grid->addWidget(row.word, line, 2);
         figures_.push_back(row);
     }
-    noFigures_->setWordWrap(true);
-    grid->addWidget(noFigures_, static_cast<int>(kFigureRows), 0, 1, 4);
-    grid->addWidget(filled_, 0, 3, Qt::AlignRight);
+    advice_->setWordWrap(true);
+    advice_->setAccessibleName(tr("What to do"));
+    constexpr int kAdviceHeight = 38; // two lines: the controls below stay where they are
+    advice_->setMinimumHeight(kAdviceHeight);
+    advice_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    grid->addWidget(advice_, static_cast<int>(kFigureRows), 0, 1, 4);
+    grid->addWidget(filled_, 0, 3, static_cast<int>(kFigureRows), 1, Qt::AlignRight | Qt::AlignTop);
     return content;
 }
 
@@ -262,7 +269,7 @@ void ExtractionForm::showFigures() {
         const bool there = i < graded.size();
         for (QLabel* label : {row.label, row.number, row.word}) {
             label->setVisible(there);
-            label->setToolTip(there ? graded[i].tip : QString());
+            label->setToolTip(there ? graded[i].tip + "\n" + graded[i].advice : QString());
         }
         if (!there)
             continue;
@@ -272,11 +279,14 @@ void ExtractionForm::showFigures() {
         QPalette colours = palette();
         colours.setColor(QPalette::WindowText, gradeColour(graded[i].grade, palette()));
         row.word->setPalette(colours);
-        row.label->setAccessibleDescription(graded[i].tip);
+        row.label->setAccessibleDescription(graded[i].tip + " " + graded[i].advice);
     }
-    noFigures_->setVisible(graded.empty());
-    noFigures_->setText(pictures_ ? tr("Made of picked colours: there is nothing to measure it by.")
-                                  : tr("Coverage, residual and holes are told here once a style is extracted."));
+    if (!pictures_)
+        advice_->setText(tr("Coverage, residual and holes are told here once a style is extracted."));
+    else if (graded.empty())
+        advice_->setText(tr("Made of picked colours: there is nothing to measure it by."));
+    else
+        advice_->setText(std::ranges::max(graded, {}, &GradedFigure::grade).advice);
 }
 
 void ExtractionForm::changeEvent(QEvent* event) {

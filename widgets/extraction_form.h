@@ -69,7 +69,7 @@ class ExtractionForm : public QWidget {
     QButtonGroup* shows_ = nullptr;
     QCheckBox* filled_;
     std::vector<FigureRow> figures_;
-    QLabel* noFigures_;
+    QLabel* advice_; ///< what to do about the worst figure, or why there are none
     SliderRow* depth_;
     QLabel* depthLabel_ = nullptr;
     SliderRow* smoothing_;

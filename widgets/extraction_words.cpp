@@ -18,21 +18,26 @@ Grade gradeOf(double value, double good, double fair) {
 GradedFigure coverageWords(double coverage) {
     // A ball seen whole covers all but its outermost rim; less than half of the directions is a guess for the rest.
     const Grade grade = gradeOf(1 - coverage, 0.15, 0.45);
-    QString tip = Words::tr("How much of the ball was seen in the artwork; the rest is filled in from around it.");
-    if (grade != Grade::good)
-        tip += "\n" + Words::tr("Take a form that shows more sides, erase less, or leave fewer letters out.");
-    return {Words::tr("Coverage"), Words::tr("%1 %").arg(coverage * 100, 0, 'f', 0), tip, grade};
+    const QString tip =
+        Words::tr("How much of the ball was seen in the artwork; the rest is filled in from around it.");
+    const QString advice =
+        grade == Grade::good ? QString()
+                             : Words::tr("Take a form that shows more sides, erase less, or leave fewer letters out.");
+    return {Words::tr("Coverage"), Words::tr("%1 %").arg(coverage * 100, 0, 'f', 0), tip, advice, grade};
 }
 
 GradedFigure residualWords(double residual) {
     // One in twenty of the range is about what grain and fine hatching make; one in ten is seen at a glance.
     const Grade grade = gradeOf(residual, 0.05, 0.1);
-    QString tip = Words::tr("How far the form, shaded again with this style, is from the artwork (root mean square of "
-                            "the colours, 0 to 1).");
-    if (grade != Grade::good)
-        tip += "\n" + Words::tr("Look at “Difference”: where it is not grey, mark normals and creases, ignore letters, "
-                                "or choose a form of one material.");
-    return {Words::tr("Residual"), QString::number(residual, 'f', 3), tip, grade};
+    const QString tip =
+        Words::tr("How far the form, shaded again with this style, is from the artwork (root mean square of "
+                  "the colours, 0 to 1).");
+    const QString advice =
+        grade == Grade::good
+            ? QString()
+            : Words::tr("Look at “Difference”: where it is not grey, mark normals and creases, ignore letters, "
+                        "or choose a form of one material.");
+    return {Words::tr("Residual"), QString::number(residual, 'f', 3), tip, advice, grade};
 }
 
 GradedFigure holeWords(double degrees) {
@@ -40,9 +45,11 @@ GradedFigure holeWords(double degrees) {
     const Grade grade = gradeOf(degrees, 20, 45);
     QString tip =
         Words::tr("The widest gap between directions that were seen; it is filled smoothly, without guessing.");
-    if (grade != Grade::good)
-        tip += "\n" + Words::tr("Take in the part of the form that faces that way, or make the style symmetric.");
-    return {Words::tr("Largest hole"), Words::tr("%1°").arg(degrees, 0, 'f', 0), tip, grade};
+    const QString advice =
+        grade == Grade::good
+            ? QString()
+            : Words::tr("Take in the part of the form that faces that way, or make the style symmetric.");
+    return {Words::tr("Largest hole"), Words::tr("%1°").arg(degrees, 0, 'f', 0), tip, advice, grade};
 }
 
 // As the residual, but of smooth spheres: grain plays no part in it.
@@ -51,10 +58,11 @@ constexpr double kFairForm = 0.06;
 
 GradedFigure placementWords(double rmse) {
     const Grade grade = gradeOf(rmse, kGoodForm, kFairForm);
-    QString tip = Words::tr("How much the style would change if the outline were snapped to the picture's edge.");
-    if (grade != Grade::good)
-        tip += "\n" + Words::tr("Press “Snap to edge”, or drag the outline's handles onto the edge.");
-    return {Words::tr("Placement"), QString::number(rmse, 'f', 3), tip, grade};
+    const QString tip = Words::tr("How much the style would change if the outline were snapped to the picture's edge.");
+    const QString advice = grade == Grade::good
+                               ? QString()
+                               : Words::tr("Press “Snap to edge”, or drag the outline's handles onto the edge.");
+    return {Words::tr("Placement"), QString::number(rmse, 'f', 3), tip, advice, grade};
 }
 
 GradedFigure depthWords(double rmse) {
@@ -62,9 +70,10 @@ GradedFigure depthWords(double rmse) {
     QString tip =
         Words::tr("How much the style would change if the form were deeper by a quarter: no picture tells its "
                   "depth.");
-    if (grade != Grade::good)
-        tip += "\n" + Words::tr("Set “Depth” to what you know of the form, or mark some normals inside it.");
-    return {Words::tr("Depth"), QString::number(rmse, 'f', 3), tip, grade};
+    const QString advice = grade == Grade::good
+                               ? QString()
+                               : Words::tr("Set “Depth” to what you know of the form, or mark some normals inside it.");
+    return {Words::tr("Depth"), QString::number(rmse, 'f', 3), tip, advice, grade};
 }
 
 } // namespace

@@ -18,7 +18,8 @@ enum class Grade { good, fair, poor };
 struct GradedFigure {
     QString label;  ///< "Coverage"
     QString number; ///< "83 %"
-    QString tip;    ///< what it is, and what to do where it is not good
+    QString tip;    ///< what it is
+    QString advice; ///< what to do about it; empty where it is good
     Grade grade = Grade::good;
 };
 

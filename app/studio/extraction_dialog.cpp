@@ -20,6 +20,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
+#include <QStackedWidget>
 
 #include <utility>
 
@@ -117,6 +118,7 @@ void ExtractionDialog::connectWork() {
 }
 
 void ExtractionDialog::apply(const DraftEdit& edit) {
+    card_->say({}); // it was about what has been done before
     const bool was = std::exchange(ongoing_, edit.ongoing);
     const bool changed = history_.apply(edit);
     if (!changed && was == ongoing_)
@@ -169,10 +171,10 @@ void ExtractionDialog::chooseArtwork() {
 void ExtractionDialog::openArtwork(const std::filesystem::path& file) { work_->open(file); }
 
 void ExtractionDialog::paste() {
-    const QMimeData* data = QApplication::clipboard()->mimeData();
-    if (const auto file = data ? pictureFile(*data) : std::nullopt)
+    const QMimeData* copied = QApplication::clipboard()->mimeData();
+    if (const auto file = copied ? pictureFile(*copied) : std::nullopt)
         openArtwork(*file);
-    else if (data && data->hasImage())
+    else if (copied && copied->hasImage())
         work_->open(QApplication::clipboard()->image(), tr("Pasted picture"));
     else
         showProblem(tr("There is no picture on the clipboard; copy one, or open a file."));
@@ -261,8 +263,9 @@ void ExtractionDialog::extractionFailed(const Error& error) {
 }
 
 void ExtractionDialog::showProblem(const QString& line) {
-    problem_ = line;
-    notices_->setNotices({line}, NoticeBar::Kind::problem);
+    problem_ = line.left(1).toUpper() + line.mid(1);
+    notices_->setNotices({problem_}, NoticeBar::Kind::problem);
+    notices_->raise();
 }
 
 void ExtractionDialog::showPictures() {
@@ -337,11 +340,11 @@ void ExtractionDialog::wasAdded(const Style& style, ExtractionWork::Then then) {
     const bool uses = then == ExtractionWork::Then::use && whyNotUse().isEmpty();
     if (uses)
         Q_EMIT edited({withStyle(*figure_, layer_, node_, style), tr("Style “%1”").arg(name).toStdString(), {}, false});
-    card_->say(uses ? tr("“%1” is in your styles and on the figure. Draw the next form, or close.").arg(name)
-                    : tr("“%1” is in your styles. Draw the next form, or close.").arg(name));
     ExtractionDraft next = draft();
     next.name = nextName(style.card.name);
     apply({std::move(next), tr("Name"), {}, false});
+    card_->say(uses ? tr("“%1” is in your styles and on the figure. Draw the next form, or close.").arg(name)
+                    : tr("“%1” is in your styles. Draw the next form, or close.").arg(name));
 }
 
 bool ExtractionDialog::mayClose() {

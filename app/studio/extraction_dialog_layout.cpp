@@ -16,6 +16,7 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPainter>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStackedWidget>
@@ -26,8 +27,7 @@ namespace limner {
 namespace {
 
 constexpr QSize kFirstSize(1340, 860);
-constexpr int kFormWidth = 456;
-constexpr int kPicturesHeight = 264; // switch, ball and preview
+constexpr int kFormWidth = 496;
 
 QFrame* rule() {
     auto* line = new QFrame;
@@ -36,6 +36,20 @@ QFrame* rule() {
     line->setForegroundRole(QPalette::Mid);
     return line;
 }
+
+/// A sheet with a dashed border, as places to drop something have.
+class DropPage : public QWidget {
+  protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        QPen dashes(palette().color(QPalette::Mid), 1.5);
+        dashes.setDashPattern({5, 4});
+        painter.setPen(dashes);
+        painter.setBrush(palette().color(QPalette::AlternateBase));
+        painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 8, 8);
+    }
+};
 
 QToolButton* buttonOf(QAction* action) {
     auto* button = new QToolButton;
@@ -126,7 +140,7 @@ QWidget* ExtractionDialog::buildHead() {
 }
 
 QWidget* ExtractionDialog::buildEmptyPage() {
-    auto* page = new QWidget;
+    auto* page = new DropPage;
     auto* words =
         new QLabel(tr("<b>Take styles from an artwork</b><br>Open a scanned plate or a painting, drop the file "
                       "here, or paste a picture."));
@@ -147,17 +161,15 @@ QWidget* ExtractionDialog::buildMiddle() {
     pages_->addWidget(buildEmptyPage());
     pages_->addWidget(canvas_);
     auto* art = new QWidget;
-    auto* stack = new QVBoxLayout(art);
+    auto* stack = new QGridLayout(art);
     stack->setContentsMargins(0, 0, 0, 0);
-    stack->setSpacing(0);
-    stack->addWidget(notices_);
-    stack->addWidget(pages_, 1);
+    stack->addWidget(pages_, 0, 0);
+    stack->addWidget(notices_, 0, 0, Qt::AlignTop); // over the artwork, which must not move under the hand
     auto* previewHead = new QLabel(tr("On the figure"));
     form_->pictures()->addWidget(previewHead, 0, 1);
     form_->pictures()->addWidget(preview_, 1, 1);
     form_->pictures()->setColumnStretch(0, 6);
     form_->pictures()->setColumnStretch(1, 5);
-    form_->pictures()->setRowMinimumHeight(1, kPicturesHeight - 30);
     auto* panel = scrolling(form_);
     panel->setFixedWidth(kFormWidth);
     auto* middle = new QWidget;
