@@ -3,6 +3,7 @@
 #include "core/figure/figure.h"
 #include "core/figure/parameters.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QEvent>
 #include <QFormLayout>
@@ -75,6 +76,19 @@ QToolButton* textButton(const QString& text, const QString& tip) {
     button->setToolTip(tip);
     button->setToolButtonStyle(Qt::ToolButtonTextOnly);
     return button;
+}
+
+void showWhenChosen(QToolButton* button) {
+    button->setCheckable(true);
+    const auto show = [button](bool chosen) {
+        QPalette colours; // what is not set here is the application's
+        if (chosen) {
+            colours.setColor(QPalette::Button, QApplication::palette().color(QPalette::Highlight));
+            colours.setColor(QPalette::ButtonText, QApplication::palette().color(QPalette::HighlightedText));
+        }
+        button->setPalette(colours);
+    };
+    QObject::connect(button, &QToolButton::toggled, button, show);
 }
 
 QComboBox* choiceBox(std::string_view pointer, const ChoiceWords& words) {

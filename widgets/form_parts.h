@@ -36,6 +36,9 @@ QLabel* addLabelled(QFormLayout* form, const QString& text, QWidget* field, QWid
 /// A small button with words.
 QToolButton* textButton(const QString& text, const QString& tip);
 
+/// A checkable button that is one of several choices: in the palette's highlight while it is the one.
+void showWhenChosen(QToolButton* button);
+
 /// A box of a setting's legal words, each as people read it; all of them, in the table's order.
 using ChoiceWords = std::initializer_list<std::pair<const char*, QString>>;
 QComboBox* choiceBox(std::string_view pointer, const ChoiceWords& words);

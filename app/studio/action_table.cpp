@@ -56,6 +56,8 @@ constexpr ActionRow kActions[] = {
     {"view.-2", "", "", "", ""},
     {"view.free-turning", TEXT("Turn freel&y"), TEXT("Turn about any axis instead of keeping the horizon level"), "",
      ""},
+    {"styles.extract", TEXT("Style from &artwork…"), TEXT("Take styles from a scanned plate or a painting"), "Ctrl+T",
+     ""},
     {"background.paper", TEXT("Paper &colour…"), TEXT("Lay the figure on a plain paper of a colour"), "", ""},
     {"background.picture", TEXT("&Picture…"), TEXT("Lay the figure over a picture, an artwork or a sheet of paper"), "",
      ""},

@@ -147,6 +147,7 @@ void MainWindow::buildMenus() {
     add("file", tr("&File"));
     add("edit", tr("&Edit"));
     add("view", tr("&View"));
+    add("styles", tr("&Styles"));
     menuBar()->addMenu(presets_);
     menuBar()->addMenu(themes_);
     add("background", tr("Back&ground"));
@@ -240,6 +241,7 @@ void MainWindow::connectActions() {
        [this](bool freely) { viewport_->setTurnMode(freely ? TurnMode::trackball : TurnMode::turntable); });
     on("edit.add-lens", [this] { addLens(); });
     connectCleanup();
+    on("styles.extract", [this] { extractStyle(); });
     on("background.paper", [this] { choosePaper(); });
     on("background.picture", [this] { chooseBackgroundPicture(); });
     on("help.about", [this] { showAbout(); });

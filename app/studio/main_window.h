@@ -21,6 +21,7 @@ class QToolButton;
 namespace limner {
 
 class CleanupForm;
+class ExtractionDialog;
 class ImportanceForm;
 class IslandOverlay;
 class Job;
@@ -71,6 +72,7 @@ class MainWindow : public QMainWindow {
     void useBackgroundPicture(const std::filesystem::path& path);
     /// Reads a label volume for the open scan; its layers stay as they are.
     void openLabelsPath(const std::filesystem::path& path);
+    void extractStyle(); ///< opens the dialog that takes styles from artwork, or brings it to the front
 
     [[nodiscard]] StudioDocument& document() { return *document_; }
     [[nodiscard]] Actions& actions() { return *actions_; }
@@ -87,6 +89,7 @@ class MainWindow : public QMainWindow {
     [[nodiscard]] IslandOverlay& islandTool() { return *island_; }
     [[nodiscard]] StippleForm& stipple() { return *stipple_; }
     [[nodiscard]] NoticeBar& notices() { return *notices_; }
+    [[nodiscard]] ExtractionDialog* extraction() const; ///< null while it is not open
     /// Whether a job of the window (import, labels, save, export, preset, theme, background) is under way.
     [[nodiscard]] bool busy() const;
 
@@ -178,6 +181,7 @@ class MainWindow : public QMainWindow {
     ScissorsOverlay* scissors_;
     IslandOverlay* island_;
     StippleForm* stipple_;
+    QPointer<ExtractionDialog> extraction_;
     PresetMenu* presets_;
     ThemeMenu* themes_;
     QToolButton* presetButton_ = nullptr;

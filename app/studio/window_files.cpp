@@ -1,6 +1,7 @@
 // What the window does with files: every long part of it is a job.
 #include "app/studio/main_window.h"
 
+#include "app/studio/extraction_dialog.h"
 #include "app/studio/welcome_page.h"
 #include "core/figure/presets.h"
 #include "core/figure/themes.h"
@@ -411,6 +412,10 @@ void MainWindow::afterChangesAreSafe(std::function<void()> then) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    if (extraction_ && !extraction_->close()) { // it holds a style that has not been added
+        event->ignore();
+        return;
+    }
     if (!document_->dirty()) {
         event->accept();
         return;
