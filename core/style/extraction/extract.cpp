@@ -306,14 +306,23 @@ std::vector<Vote> someVotes(const Looked& looked, const NormalField& normals) {
     return votes;
 }
 
+/// Whether two outlines differ by less than a thirtieth of their size.
+bool alike(const Ellipse& a, const Ellipse& b) {
+    const double size = std::min({a.semiAxes.x, a.semiAxes.y, b.semiAxes.x, b.semiAxes.y});
+    const Box boxA = boxOf(a);
+    const Box boxB = boxOf(b);
+    return glm::distance(boxA.low, boxB.low) < size / 30 && glm::distance(boxA.high, boxB.high) < size / 30;
+}
+
 /// How far the sphere would be off, were the form another one.
 std::optional<double> formError(const Artwork& artwork, const ExtractionRequest& request, const Looked& looked,
                                 Task& task) {
     NormalField other;
     if (const auto* ellipse = std::get_if<Ellipse>(&request.form)) {
         const std::optional<Ellipse> snapped = snapEllipse(looked.cut, *ellipse);
-        if (!snapped) {
-            return std::nullopt;
+        const std::optional<Ellipse> again = snapped ? snapEllipse(looked.cut, *snapped) : std::nullopt;
+        if (!again || !alike(*snapped, *again)) {
+            return std::nullopt; // it moves on: among soft edges none is the form's
         }
         other = ellipseNormals(looked.cut, *snapped);
     } else {
