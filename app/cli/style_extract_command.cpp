@@ -183,8 +183,8 @@ int StyleExtractCommand::listProposals(const Artwork& artwork, Console& console)
 int StyleExtractCommand::extractFromArtwork(Console& console) const {
     Task& task = console.task();
     const Artwork artwork(art_, task);
-    writeLettering(lettering_, artwork);
     if (!makesStyle()) {
+        writeLettering(lettering_, artwork);
         return options_.detects() ? listProposals(artwork, console) : 0;
     }
     const PlacedForm form = options_.form(artwork, task);
@@ -192,6 +192,7 @@ int StyleExtractCommand::extractFromArtwork(Console& console) const {
     request.separateTexture = !texture_.empty();
     const Extraction extraction = extractStyle(artwork, request, task);
     task.throwIfCancelled(); // before anything is written
+    writeLettering(lettering_, artwork);
     writePicture(difference_, extraction.difference);
     if (extraction.texture != nullptr && !texture_.empty()) {
         writeWholeFile(texture_, pngBytes(*extraction.texture));

@@ -37,7 +37,7 @@ void noteOutside(const Artwork& artwork, const Ellipse& ellipse, Task& task) {
         const bool inside = at.x >= 0 && at.y >= 0 && at.x <= artwork.width() && at.y <= artwork.height();
         outside += inside ? 0 : 1;
     }
-    if (outside > 0) {
+    if (outside > 0 && outside < kPlaces) { // an outline that is nowhere on it is an error to come
         task.warn(std::to_string(std::max(1, 100 * outside / kPlaces)) +
                   " % of the outline lies outside the picture; that side of the ball is filled in");
     }

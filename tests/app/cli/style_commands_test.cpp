@@ -1,6 +1,7 @@
 #include "core/style/style_files.h"
 #include "core/style/texture_tile.h"
 #include "style_run.h"
+#include "support/test_data.h"
 
 #include <OpenImageIO/imageio.h>
 
@@ -157,6 +158,32 @@ TEST_F(WithStyles, RemoveSaysHowToBringItBack) {
     expectRefused({"style", "remove", bundledStyleCards().front().id}, 2, "comes with Limner");
     expectRefused({"style", "remove", "bundled:" + bundledStyleCards().front().id}, 2, "comes with Limner");
     expectRefused({"style", "remove"}, 2, "ID");
+}
+
+TEST_F(WithStyles, EveryMatcapCanBeAdded) {
+    const auto folder = testing::testData("matcaps");
+    if (!folder) {
+        GTEST_SKIP();
+    }
+    std::vector<std::string> arguments{"style", "add"};
+    for (const auto& entry : std::filesystem::directory_iterator(*folder)) {
+        if (entry.path().extension() != ".txt") {
+            arguments.push_back(entry.path().string());
+        }
+    }
+    const std::size_t pictures = arguments.size() - 2;
+    ASSERT_GT(pictures, 20U);
+    arguments.emplace_back("--json");
+    const ProgramRun added = run(arguments);
+    ASSERT_EQ(added.code, 0) << added.err;
+    EXPECT_EQ(added.facts().at("styles").size(), pictures);
+    const StyleLibrary::Listing listing = mine().list();
+    EXPECT_EQ(listing.cards.size(), pictures);
+    EXPECT_TRUE(listing.problems.empty());
+    for (const StyleCard& card : listing.cards) {
+        const Style style = mine().load(card.id);
+        EXPECT_GT(style.sphere->mean().a, 0.99) << card.id << ": the disk is opaque";
+    }
 }
 
 // ---- in figures

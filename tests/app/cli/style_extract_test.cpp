@@ -191,7 +191,7 @@ TEST_F(StyleExtract, ThereIsNothingToTake) {
     std::ofstream(path("words.png")) << "no picture";
     const std::vector<std::string> before = files();
     const std::string out = path("t.png");
-    refuse({path("blank.png"), "--circle", "90,80,50", "-o", out}, 3, "blank.png");
+    refuse({path("blank.png"), "--circle", "90,80,50", "-o", out, "--lettering", path("l.png")}, 3, "blank.png");
     refuse({path("blank.png"), "--detect", "-o", out}, 3, "no round shaded thing");
     EXPECT_EQ(run({"style", "extract", path("blank.png"), "--detect"}).code, 0);
     refuse({path("clear.png"), "--circle", "90,80,50", "-o", out}, 3, "clear.png");
