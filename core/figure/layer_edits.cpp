@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cassert>
+#include <filesystem>
 
 namespace limner {
 namespace {
 
-bool isBundled(const StyleEntry& entry) { return entry.file.starts_with("bundled:"); }
+bool isKeptElsewhere(const StyleEntry& entry) {
+    return entry.file.starts_with("bundled:") || std::filesystem::path(entry.file).is_absolute();
+}
 
 std::string nameOfItsOwn(const Figure& figure, const std::string& wanted) {
     const auto taken = [&](const std::string& name) {
@@ -63,7 +66,7 @@ void exchangeStyle(Layer& layer, const std::string& from, const std::string& to)
     }
 }
 
-void dropUnusedBundledStyles(Figure& figure) {
+void dropUnusedStyles(Figure& figure) {
     std::set<std::string> used;
     for (const Layer& layer : figure.layers) {
         used.merge(stylesOf(layer));
@@ -71,7 +74,8 @@ void dropUnusedBundledStyles(Figure& figure) {
     if (figure.clip.face) {
         used.insert(figure.clip.face->style);
     }
-    std::erase_if(figure.styles, [&](const StyleEntry& entry) { return isBundled(entry) && !used.contains(entry.id); });
+    std::erase_if(figure.styles,
+                  [&](const StyleEntry& entry) { return isKeptElsewhere(entry) && !used.contains(entry.id); });
 }
 
 Layer freshLayer(const Figure& figure) {
@@ -109,7 +113,7 @@ Figure withLayerRemoved(const Figure& figure, std::size_t layer) {
     assert(layer < figure.layers.size());
     Figure result = figure;
     result.layers.erase(result.layers.begin() + offset(layer));
-    dropUnusedBundledStyles(result);
+    dropUnusedStyles(result);
     return result;
 }
 

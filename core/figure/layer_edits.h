@@ -19,8 +19,9 @@ std::set<std::string> stylesOf(const Layer& layer);
 /// The layer draws with style `to` wherever it drew with `from`.
 void exchangeStyle(Layer& layer, const std::string& from, const std::string& to);
 
-/// Bundled styles that nothing draws with leave the list.
-void dropUnusedBundledStyles(Figure& figure);
+/// Styles that nothing draws with leave the list where they are kept elsewhere: bundled ones, and those whose picture
+/// is named by an absolute path (the user's own). What the project alone has stays.
+void dropUnusedStyles(Figure& figure);
 
 /// A layer to start from: it shows the upper half of the scan's values in the figure's first style, or in a plain
 /// colour under Phong's light where the figure has no style.
