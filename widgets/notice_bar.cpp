@@ -4,15 +4,19 @@
 #include <QLabel>
 #include <QToolButton>
 
+#include <utility>
+
 namespace limner {
 
 NoticeBar::NoticeBar(QWidget* parent)
-    : QFrame(parent), text_(new QLabel), more_(new QToolButton), close_(new QToolButton) {
+    : QFrame(parent), text_(new QLabel), action_(new QToolButton), more_(new QToolButton), close_(new QToolButton) {
     setFrameShape(QFrame::NoFrame);
     setAutoFillBackground(true);
     text_->setWordWrap(true);
     text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     text_->setAccessibleName(tr("Notices"));
+    action_->setAutoRaise(false);
+    action_->setVisible(false);
     more_->setAutoRaise(true);
     close_->setAutoRaise(true);
     close_->setText(tr("Dismiss"));
@@ -21,9 +25,16 @@ NoticeBar::NoticeBar(QWidget* parent)
     layout->setContentsMargins(12, 5, 6, 5);
     layout->setSpacing(6);
     layout->addWidget(text_, 1);
+    layout->addWidget(action_);
     layout->addWidget(more_);
     layout->addWidget(close_);
     connect(close_, &QToolButton::clicked, this, [this] { setNotices({}, Kind::information); });
+    connect(action_, &QToolButton::clicked, this, [this] {
+        const auto then = std::exchange(then_, nullptr);
+        setNotices({}, Kind::information);
+        if (then)
+            then();
+    });
     connect(more_, &QToolButton::clicked, this, [this] {
         expanded_ = !expanded_;
         display();
@@ -34,6 +45,7 @@ NoticeBar::NoticeBar(QWidget* parent)
 void NoticeBar::setNotices(const QStringList& lines, Kind kind) {
     lines_ = lines;
     lines_.removeDuplicates();
+    then_ = nullptr;
     expanded_ = false;
     QPalette colours = palette();
     const bool dark = parentWidget() && parentWidget()->palette().color(QPalette::Window).lightness() < 128;
@@ -44,8 +56,16 @@ void NoticeBar::setNotices(const QStringList& lines, Kind kind) {
     display();
 }
 
+void NoticeBar::offer(const QString& line, const QString& action, std::function<void()> then) {
+    setNotices({line}, Kind::information);
+    then_ = std::move(then);
+    action_->setText(action);
+    display();
+}
+
 void NoticeBar::display() {
     setVisible(!lines_.isEmpty());
+    action_->setVisible(then_ != nullptr);
     more_->setVisible(lines_.size() > 1);
     more_->setText(expanded_ ? tr("Less") : tr("%1 more").arg(lines_.size() - 1));
     text_->setText(lines_.isEmpty() ? QString() : expanded_ ? lines_.join('\n') : lines_.front());

@@ -3,6 +3,8 @@
 #include <QFrame>
 #include <QStringList>
 
+#include <functional>
+
 class QLabel;
 class QToolButton;
 
@@ -19,6 +21,10 @@ class NoticeBar : public QFrame {
 
     /// Shows the lines until they are dismissed or replaced; none hides the bar.
     void setNotices(const QStringList& lines, Kind kind);
+    /// Shows a line with a button that does something about it, once: "Removed “Ivory”" — Undo.
+    void offer(const QString& line, const QString& action, std::function<void()> then);
+    /// The button of an offer; hidden without one.
+    [[nodiscard]] QToolButton* action() const { return action_; }
     [[nodiscard]] const QStringList& notices() const { return lines_; }
 
   private:
@@ -26,7 +32,9 @@ class NoticeBar : public QFrame {
 
     QStringList lines_;
     bool expanded_ = false;
+    std::function<void()> then_; ///< of an offer
     QLabel* text_;
+    QToolButton* action_;
     QToolButton* more_;
     QToolButton* close_;
 };

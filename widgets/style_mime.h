@@ -5,7 +5,7 @@ class QString;
 
 namespace limner {
 
-/// How a bundled style travels by drag and drop: its id.
+/// How a style travels by drag and drop: its key (widgets/style_source.h).
 inline constexpr const char* kStyleMime = "application/x-limner-style";
 
 } // namespace limner

@@ -2,7 +2,6 @@
 
 #include "core/figure/layer_edits.h"
 #include "core/figure/transfer_edits.h"
-#include "core/style/lit_sphere.h"
 #include "core/style/transfer_function.h"
 #include "widgets/style_mime.h"
 
@@ -415,7 +414,7 @@ void TransferCanvas::keyPressEvent(QKeyEvent* event) {
 }
 
 void TransferCanvas::dragEnterEvent(QDragEnterEvent* event) {
-    if (transfer() && mayChange(*figure_, layer_) && event->mimeData()->hasFormat(kStyleMime))
+    if (styles_ && transfer() && mayChange(*figure_, layer_) && event->mimeData()->hasFormat(kStyleMime))
         event->acceptProposedAction();
 }
 
@@ -429,8 +428,10 @@ void TransferCanvas::dragMoveEvent(QDragMoveEvent* event) {
 
 void TransferCanvas::dropEvent(QDropEvent* event) {
     dropValue_.reset();
-    const std::string id = event->mimeData()->data(kStyleMime).toStdString();
-    const Style* style = transfer() && mayChange(*figure_, layer_) ? findBundledStyle(id) : nullptr;
+    update();
+    const std::string key = event->mimeData()->data(kStyleMime).toStdString();
+    const bool may = styles_ && transfer() && mayChange(*figure_, layer_);
+    const std::shared_ptr<const Style> style = may ? styles_(key) : nullptr;
     if (!style)
         return;
     const auto handle = handleAt(event->position());

@@ -4,6 +4,7 @@
 #include "core/volume/histogram.h"
 #include "widgets/gesture_key.h"
 #include "widgets/style_ball_cache.h"
+#include "widgets/style_source.h"
 
 #include <QWidget>
 
@@ -31,6 +32,8 @@ class TransferCanvas : public QWidget {
 
     void setFigure(std::shared_ptr<const Figure> figure, std::size_t layer);
     void setHistogram(std::shared_ptr<const Histogram> histogram);
+    /// Where a dropped style comes from; without one nothing can be dropped.
+    void setStyleSource(StyleSource source) { styles_ = std::move(source); }
     [[nodiscard]] const std::optional<Handle>& selected() const { return selected_; }
     void select(std::optional<Handle> handle);
     /// The part of the value axis that shows all that matters.
@@ -107,6 +110,7 @@ class TransferCanvas : public QWidget {
     std::optional<double> dropValue_; ///< where a dragged style would land
     GestureKey key_;
     StyleBallCache balls_;
+    StyleSource styles_;
 };
 
 /// "1 250" or "0.125": as many digits as the step between neighbouring pixels needs.

@@ -19,6 +19,7 @@ class TransferEditor1d : public QWidget {
 
     void setFigure(std::shared_ptr<const Figure> figure, std::size_t layer);
     void setHistogram(std::shared_ptr<const Histogram> histogram) { canvas_->setHistogram(std::move(histogram)); }
+    void setStyleSource(StyleSource source) { canvas_->setStyleSource(std::move(source)); }
     [[nodiscard]] TransferCanvas* canvas() const { return canvas_; }
     /// The selected style node, if one is selected.
     [[nodiscard]] std::optional<std::size_t> selectedNode() const;

@@ -3,6 +3,7 @@
 #include "widgets/sheet_painting.h"
 
 #include <QKeyEvent>
+#include <QLineF>
 #include <QMouseEvent>
 #include <QNativeGestureEvent>
 #include <QPainter>
@@ -20,7 +21,8 @@ constexpr double kZoomPerWheelClick = 0.85; // four clicks halve the view
 constexpr double kDegreesPerKey = 5;
 constexpr double kFineDegreesPerKey = 1;
 constexpr double kZoomPerKey = 0.9;
-constexpr int kSettleMs = 180; // a wheel's clicks come faster; people wait longer before they look
+constexpr double kStillAClick = 2; // pixels
+constexpr int kSettleMs = 180;     // a wheel's clicks come faster; people wait longer before they look
 
 } // namespace
 
@@ -170,6 +172,8 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
     if (drag_ == Drag::none || !editable())
         return;
+    if (!dragMoved_ && QLineF(dragStart_, event->position()).length() < kStillAClick)
+        return;
     const glm::dvec2 from = onSheet(dragStart_);
     const glm::dvec2 to = onSheet(event->position());
     dragMoved_ = true;
@@ -179,9 +183,11 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
         emitCamera(turned(dragCamera_, turnMode_, from, to), tr("Turn view"), key_.again("camera/turn"), true);
 }
 
-void Viewport::mouseReleaseEvent(QMouseEvent*) {
+void Viewport::mouseReleaseEvent(QMouseEvent* event) {
     if (drag_ == Drag::none)
         return;
+    if (!dragMoved_ && drag_ == Drag::turn && sheet().contains(event->position()))
+        Q_EMIT clicked(event->position());
     const bool pan = std::exchange(drag_, Drag::none) == Drag::pan;
     setCursor(editable() ? Qt::OpenHandCursor : Qt::ArrowCursor);
     if (dragMoved_ && editable())

@@ -53,6 +53,8 @@ class Viewport : public QWidget {
 
   Q_SIGNALS:
     void edited(const limner::Edit& edit);
+    /// A click that moved nothing, in the widget's coordinates.
+    void clicked(QPointF position);
     /// The sheet has another number of pixels now.
     void picturePixelsChanged();
 

@@ -1,6 +1,7 @@
 #include "app/studio/main_window.h"
 
 #include "app/studio/welcome_page.h"
+#include "app/studio/window_gallery.h"
 #include "core/figure/figure_json.h"
 #include "widgets/importance_form.h"
 #include "widgets/job.h"
@@ -39,18 +40,10 @@ namespace limner {
 namespace {
 
 constexpr QSize kFirstSize(1400, 900);
-constexpr int kGalleryWidth = 226; // two styles side by side
+constexpr int kGalleryWidth = 264; // a card with its two pictures side by side
 constexpr int kPanelWidth = 390;
 
 } // namespace
-
-Engine makeEngine() {
-    auto planner = std::make_shared<Planner>();
-    return {[planner](const Figure& figure, const PlanRequest& request, Task& task) {
-                return planner->plan(figure, request, task);
-            },
-            [] { return makeCpuBackend(); }};
-}
 
 MainWindow::MainWindow(Engine engine)
     : engine_(std::move(engine)), exporter_(engine_.makeBackend()), document_(new StudioDocument(this)),
@@ -60,6 +53,7 @@ MainWindow::MainWindow(Engine engine)
     buildPanels();
     buildCleanup();
     buildStipple();
+    buildStyles();
     buildMenus();
     buildToolBar();
     buildStatusBar();
@@ -139,6 +133,22 @@ void MainWindow::buildPanels() {
         setTabOrder(order[i - 1], order[i]);
 }
 
+void MainWindow::buildStyles() {
+    styles_ = new WindowGallery({.window = this,
+                                 .document = document_,
+                                 .actions = actions_,
+                                 .gallery = gallery_,
+                                 .viewport = viewport_,
+                                 .transfer = transfer_,
+                                 .layers = layers_,
+                                 .notices = notices_},
+                                StyleLibrary::userFolder(), this);
+    connect(styles_, &WindowGallery::failed, this, &MainWindow::showError);
+    connect(styles_, &WindowGallery::told, this,
+            [this](const QString& message) { statusBar()->showMessage(message, 6000); });
+    connect(styles_, &WindowGallery::showInstead, this, &MainWindow::showInstead);
+}
+
 void MainWindow::buildMenus() {
     presets_ = new PresetMenu(this);
     themes_ = new ThemeMenu(this);
@@ -150,6 +160,7 @@ void MainWindow::buildMenus() {
     add("styles", tr("&Styles"));
     menuBar()->addMenu(presets_);
     menuBar()->addMenu(themes_);
+    add("styles", tr("&Styles"));
     add("background", tr("Back&ground"));
     add("panels", tr("Pa&nels"));
     add("help", tr("&Help"));
@@ -259,7 +270,7 @@ void MainWindow::connectPanels() {
     connect(layerPanel_, &LayerPanel::edited, this, apply);
     connect(labels_, &LabelList::edited, this, apply);
     connect(transfer_, &TransferEditor1d::edited, this, apply);
-    connect(gallery_, &StyleGallery::edited, this, apply);
+    connect(styles_, &WindowGallery::edited, this, apply);
     connect(importance_, &ImportanceForm::edited, this, apply);
     connect(lens_, &LensOverlay::edited, this, apply);
     connect(lens_, &LensOverlay::left, this, [this] { importance_->lenses()->select(std::nullopt); });
@@ -274,10 +285,9 @@ void MainWindow::connectPanels() {
     connect(layerPanel_, &LayerPanel::layerSelected, this, [this](std::size_t layer) {
         labels_->setFigure(document_->figure(), layer);
         transfer_->setFigure(document_->figure(), layer);
-        gallery_->setFigure(document_->figure(), layer, transfer_->selectedNode());
+        styles_->showFigure();
     });
-    connect(transfer_, &TransferEditor1d::selectionChanged, this,
-            [this] { gallery_->setFigure(document_->figure(), layers_->selectedLayer(), transfer_->selectedNode()); });
+    connect(transfer_, &TransferEditor1d::selectionChanged, styles_, &WindowGallery::showFigure);
 }
 
 void MainWindow::documentChanged() {
@@ -313,7 +323,7 @@ void MainWindow::documentChanged() {
     layerPanel_->setFigure(figure);
     labels_->setFigure(figure, layers_->selectedLayer());
     transfer_->setFigure(figure, layers_->selectedLayer());
-    gallery_->setFigure(figure, layers_->selectedLayer(), transfer_->selectedNode());
+    styles_->showFigure();
     viewport_->setFigure(figure);
     importance_->setFigure(figure);
     showLens();
@@ -330,7 +340,7 @@ void MainWindow::showTitle() {
 }
 
 void MainWindow::wantPicture() {
-    const std::shared_ptr<const Figure> figure = document_->figure();
+    const std::shared_ptr<const Figure> figure = instead_ ? instead_ : document_->figure();
     const QSize pixels = viewport_->picturePixels();
     const bool draft = document_->gestureOngoing();
     if (!figure || !viewport_->isVisible()) {
@@ -347,6 +357,25 @@ void MainWindow::wantPicture() {
     wantedPixels_ = pixels;
     wantedDraft_ = draft;
     feed_->want(figure, pixels, draft);
+}
+
+void MainWindow::showInstead(const std::shared_ptr<const Figure>& figure) {
+    const auto own = document_->figure();
+    const auto& picture = viewport_->picture();
+    if (figure && !instead_ && picture && picture->facts.final)
+        ownPicture_ = std::make_shared<const ScreenPicture>(*picture);
+    instead_ = own ? figure : nullptr;
+    const auto before = instead_ ? nullptr : std::exchange(ownPicture_, nullptr);
+    if (before && own && before->image.size() == viewport_->picturePixels() &&
+        diff(*before->plan->figure, *own) == ChangeCost::none) { // nothing has come of it: the old picture still holds
+        feed_->clear();
+        wanted_ = own;
+        wantedPixels_ = before->image.size();
+        wantedDraft_ = false;
+        pictureArrived(*before);
+    } else {
+        wantPicture();
+    }
 }
 
 void MainWindow::pictureArrived(const ScreenPicture& picture) {

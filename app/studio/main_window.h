@@ -1,9 +1,9 @@
 #pragma once
 
 #include "app/studio/action_table.h"
+#include "app/studio/engine.h"
 #include "app/studio/export_dialog.h"
 #include "app/studio/studio_document.h"
-#include "renderer/interactive/render_thread.h"
 
 #include <QMainWindow>
 #include <QPointer>
@@ -40,16 +40,8 @@ class ThemeMenu;
 class TransferEditor1d;
 class Viewport;
 class WelcomePage;
+class WindowGallery;
 struct ScreenPicture;
-
-/// What draws: one way of planning, shared by screen and export so that both use the same preparations.
-struct Engine {
-    RenderThread::PlanFunction plan;
-    std::function<std::unique_ptr<const Backend>()> makeBackend;
-};
-
-/// A planner and the CPU backend.
-Engine makeEngine();
 
 /// The studio's window: composes panels, picture and jobs around one document. Nothing long runs on its thread.
 class MainWindow : public QMainWindow {
@@ -79,6 +71,7 @@ class MainWindow : public QMainWindow {
     [[nodiscard]] Viewport& viewport() { return *viewport_; }
     [[nodiscard]] TransferEditor1d& transferEditor() { return *transfer_; }
     [[nodiscard]] StyleGallery& gallery() { return *gallery_; }
+    [[nodiscard]] WindowGallery& styles() { return *styles_; }
     [[nodiscard]] LayerList& layers() { return *layers_; }
     [[nodiscard]] LayerPanel& layerPanel() { return *layerPanel_; }
     [[nodiscard]] LabelList& labels() { return *labels_; }
@@ -117,6 +110,7 @@ class MainWindow : public QMainWindow {
     void connectCleanup();
     void showCleanup();
     void buildStipple();
+    void buildStyles();
     void showStipple();
     void buildMenus();
     void buildToolBar();
@@ -135,6 +129,8 @@ class MainWindow : public QMainWindow {
     void documentChanged();
     void showTitle();
     void wantPicture();
+    /// Shows a figure in the document's place; null: the document's own again.
+    void showInstead(const std::shared_ptr<const Figure>& figure);
     void pictureArrived(const ScreenPicture& picture);
     void showFacts(const ScreenPicture& picture);
 
@@ -171,6 +167,7 @@ class MainWindow : public QMainWindow {
     LabelList* labels_;
     TransferEditor1d* transfer_;
     StyleGallery* gallery_;
+    WindowGallery* styles_;
     ImportanceForm* importance_;
     QDockWidget* importanceDock_;
     bool importanceSeen_ = false;
@@ -190,7 +187,9 @@ class MainWindow : public QMainWindow {
     ProgressStrip* progress_;
     QLabel* facts_;
     QPointer<Job> openJob_, saveJob_, exportJob_, lookJob_, labelJob_, backgroundJob_, resourceJob_, measuresJob_;
-    std::shared_ptr<const Figure> wanted_; ///< what the newest request to the feed shows
+    std::shared_ptr<const Figure> instead_;           ///< shown in the document's place: a style held over it
+    std::shared_ptr<const ScreenPicture> ownPicture_; ///< final one of the document's figure, meanwhile
+    std::shared_ptr<const Figure> wanted_;            ///< what the newest request to the feed shows
     QSize wantedPixels_;
     bool wantedDraft_ = false;
     double secondsPerMegaPixel_ = 0;

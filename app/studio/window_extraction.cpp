@@ -1,6 +1,8 @@
 #include "app/studio/main_window.h"
 
 #include "app/studio/extraction_dialog.h"
+#include "app/studio/style_shelf.h"
+#include "app/studio/window_gallery.h"
 #include "widgets/figure_preview.h"
 #include "widgets/layer_list.h"
 #include "widgets/layer_panel.h"
@@ -26,6 +28,7 @@ void MainWindow::extractStyle() {
         connect(transfer_, &TransferEditor1d::selectionChanged, extraction_.data(), follow);
         connect(extraction_.data(), &ExtractionDialog::edited, this,
                 [this](const Edit& edit) { document_->apply(edit); });
+        connect(extraction_.data(), &ExtractionDialog::styleAdded, &styles_->shelf(), &StyleShelf::reload);
         follow();
     }
     extraction_->show();

@@ -3,6 +3,7 @@
 
 #include "app/studio/extraction_dialog.h"
 #include "app/studio/welcome_page.h"
+#include "app/studio/window_gallery.h"
 #include "core/figure/presets.h"
 #include "core/figure/themes.h"
 #include "core/project/label_volume.h"
@@ -13,7 +14,6 @@
 #include "widgets/picture_feed.h"
 #include "widgets/preset_menu.h"
 #include "widgets/progress_strip.h"
-#include "widgets/style_gallery.h"
 #include "widgets/theme_menu.h"
 #include "widgets/transfer_editor_1d.h"
 #include "widgets/viewport.h"
@@ -96,7 +96,7 @@ void MainWindow::loadResources() {
         *read = {bundledStyles(), bundledPresets(), bundledThemes()};
     });
     connect(job, &Job::finished, this, [this, read] {
-        gallery_->setStyles(read->styles);
+        styles_->shelf().setBundled(read->styles);
         presets_->setPresets(read->presets);
         themes_->setThemes(read->themes);
     });

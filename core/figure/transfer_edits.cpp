@@ -1,9 +1,12 @@
 #include "core/figure/transfer_edits.h"
 
+#include "core/figure/layer_edits.h"
 #include "core/figure/style_edits.h"
+#include "core/style/transfer_function.h"
 
 #include <algorithm>
 #include <cassert>
+#include <filesystem>
 #include <limits>
 
 namespace limner {
@@ -11,7 +14,32 @@ namespace {
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity(); // the first and last have one neighbour
 
+/// Puts a style onto one cell of a plane's grid, or onto all of them. A plane without a grid gets one of one cell.
+void setCells(Transfer& transfer, std::optional<std::size_t> node, const std::string& id) {
+    TransferGrid& grid = transfer.grid ? *transfer.grid : transfer.grid.emplace(wholePlane(transfer));
+    const std::size_t columns = std::max<std::size_t>(1, grid.x.size());
+    grid.styles.resize(std::max<std::size_t>(1, grid.y.size()));
+    for (std::size_t y = 0; y < grid.styles.size(); ++y) {
+        grid.styles[y].resize(columns);
+        for (std::size_t x = 0; x < columns; ++x)
+            if (!node || *node == y * columns + x)
+                grid.styles[y][x] = id;
+    }
+}
+
 double middleOf(const OpacityPoints& points) { return points.empty() ? 0 : (points.front().x + points.back().x) / 2; }
+
+/// The same for a line's nodes.
+void setNodes(Transfer& transfer, std::optional<std::size_t> node, const std::string& id) {
+    TransferNodes& nodes = transfer.nodes;
+    if (nodes.empty())
+        nodes.push_back({middleOf(transfer.opacity), id, std::nullopt});
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        if (!node || i == *node) {
+            nodes[i].style = id;
+            nodes[i].rgb.reset();
+        }
+}
 
 } // namespace
 
@@ -68,19 +96,22 @@ std::size_t nodePlace(const TransferNodes& nodes, double at) {
         std::count_if(nodes.begin(), nodes.end(), [at](const TransferNode& node) { return node.at <= at; }));
 }
 
+TransferGrid wholePlane(const Transfer& transfer) {
+    const auto anywhere = [&](std::size_t axis) { // -1: all labels
+        return transfer.axes.size() > axis && transferAxis(transfer.axes[axis]) == TransferAxis::label ? -1.0 : 0.0;
+    };
+    return {{anywhere(0)}, {anywhere(1)}, {{std::string()}}};
+}
+
 Figure withStyle(const Figure& figure, std::size_t layer, std::optional<std::size_t> node, const Style& style) {
     assert(layer < figure.layers.size());
     Figure result = figure;
     const std::string id = joinStyle(result, style);
     Layer& changed = result.layers[layer];
-    TransferNodes& nodes = changed.transfer.nodes;
-    if (nodes.empty())
-        nodes.push_back({middleOf(changed.transfer.opacity), id, std::nullopt});
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-        if (!node || i == *node) {
-            nodes[i].style = id;
-            nodes[i].rgb.reset();
-        }
+    if (secondAxis(changed.transfer))
+        setCells(changed.transfer, node, id);
+    else
+        setNodes(changed.transfer, node, id);
     changed.shading = Shading::style;
     dropUnusedStyles(result);
     return result;

@@ -38,9 +38,12 @@ TransferNodes withNodeMoved(TransferNodes nodes, std::size_t index, double at);
 /// Index of the node to insert before, for a new node at that value.
 std::size_t nodePlace(const TransferNodes& nodes, double at);
 
+/// A grid of one empty cell that holds for the whole plane, on label axes for all labels.
+TransferGrid wholePlane(const Transfer& transfer);
+
 /// Puts a style onto one node of a layer, or onto all of them: the style joins the figure's list (`joinStyle`), the
 /// layer is shaded by styles from now on, and styles that nothing uses any more leave the list (`dropUnusedStyles`). A
-/// layer without nodes gets one in the middle of its opacity points.
+/// layer without nodes gets one in the middle of its opacity points. Nodes of a grid are its cells, counted row by row.
 Figure withStyle(const Figure& figure, std::size_t layer, std::optional<std::size_t> node, const Style& style);
 /// A new node with the style at that value.
 Figure withStyleNode(const Figure& figure, std::size_t layer, double at, const Style& style);

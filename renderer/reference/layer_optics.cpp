@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace limner::reference {
 
@@ -370,18 +371,26 @@ double opacityOf(const PlanLayer& layer, double value) {
 
 namespace {
 
+/// Rows of the layer's table that a sample reads, with their weights: of the labels around it that show.
+std::vector<std::pair<int, double>> rowsAt(const PlanLayer& layer, const SampleFacts& facts) {
+    std::vector<std::pair<int, double>> rows;
+    for (const auto& [slot, weight] : facts.membership) {
+        const bool shown = layer.shownSlots.empty() || layer.shownSlots[static_cast<std::size_t>(slot)] != 0;
+        const int row = layer.rowOfSlot.empty() ? 0 : layer.rowOfSlot[static_cast<std::size_t>(slot)];
+        if (shown && row >= 0) {
+            rows.emplace_back(row, weight);
+        }
+    }
+    return rows;
+}
+
 /// What the transfer function, contours and transparency make of a sample.
 LayerSample classified(const RenderPlan& plan, const PlanLayer& layer, const SampleFacts& facts) {
     if (!readsLabels(layer)) {
         return shadeRow(plan, layer, facts, 0);
     }
     LayerSample sum;
-    for (const auto& [slot, weight] : facts.membership) {
-        const bool shown = layer.shownSlots.empty() || layer.shownSlots[static_cast<std::size_t>(slot)] != 0;
-        const int row = layer.rowOfSlot.empty() ? 0 : layer.rowOfSlot[static_cast<std::size_t>(slot)];
-        if (!shown || row < 0) {
-            continue;
-        }
+    for (const auto& [row, weight] : rowsAt(layer, facts)) {
         // An invisible neighbour's colour must not bleed: colours are weighted by opacity.
         const LayerSample part = shadeRow(plan, layer, facts, row);
         const double share = weight * part.opacity;
@@ -396,6 +405,31 @@ LayerSample classified(const RenderPlan& plan, const PlanLayer& layer, const Sam
 }
 
 } // namespace
+
+std::vector<std::pair<int, double>> nodesAt(const RenderPlan& plan, const PlanLayer& layer, const SampleFacts& facts) {
+    std::vector<double> sums(layer.styles.nodeToStyle.size(), 0.0);
+    const auto add = [&](int row, double weight) {
+        const TransferSample transfer = transferAt(plan, layer, facts, row);
+        for (const TransferSample::Node& node : transfer.nodes) {
+            sums[static_cast<std::size_t>(node.node)] += weight * transfer.opacity * node.weight;
+        }
+    };
+    if (!readsLabels(layer)) {
+        add(0, 1);
+    } else {
+        for (const auto& [row, weight] : rowsAt(layer, facts)) {
+            add(row, weight);
+        }
+    }
+    const double all = std::accumulate(sums.begin(), sums.end(), 0.0);
+    std::vector<std::pair<int, double>> nodes;
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        if (sums[i] > 0) {
+            nodes.emplace_back(static_cast<int>(i), sums[i] / all);
+        }
+    }
+    return nodes;
+}
 
 LayerSample shadeLayer(const RenderPlan& plan, const PlanLayer& layer, const SampleFacts& facts) {
     const bool cutFaces = layer.cut && layer.cut->faces;

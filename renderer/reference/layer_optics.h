@@ -51,6 +51,10 @@ struct LayerSample {
 /// For layers whose transfer function has one dimension, over the value.
 double opacityOf(const PlanLayer& layer, double value);
 
+/// Nodes of the layer's transfer function at a sample, counted as `StyleIndex::nodeToStyle` counts them, with their
+/// shares of the colour. They add up to 1; nothing where the layer is clear because of a label.
+std::vector<std::pair<int, double>> nodesAt(const RenderPlan& plan, const PlanLayer& layer, const SampleFacts& facts);
+
 /// The full law.
 LayerSample shadeLayer(const RenderPlan& plan, const PlanLayer& layer, const SampleFacts& facts);
 

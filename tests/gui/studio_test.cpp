@@ -1,8 +1,7 @@
 // The real window, driven by mouse and keys.
-#include "app/studio/export_dialog.h"
-#include "app/studio/main_window.h"
+#include "gui/studio_window.h"
 
-#include "app/studio/studio_theme.h"
+#include "app/studio/export_dialog.h"
 #include "core/figure/layer_edits.h"
 #include "core/project/archive.h"
 #include "core/project/embedded_volume.h"
@@ -50,6 +49,7 @@ namespace limner {
 namespace {
 
 using testing::pumpUntil;
+using testing::Studio;
 using Kind = TransferCanvas::HandleKind;
 
 /// Notes the longest time between two turns of the event loop.
@@ -71,34 +71,6 @@ class GapProbe : public QObject {
     QTimer timer_;
     QElapsedTimer clock_;
     double longest_ = 0;
-};
-
-struct Studio {
-    Studio() {
-        applyStudioTheme(*qApp);
-        window = std::make_unique<MainWindow>(makeEngine());
-        window->askAboutChanges = [] { return MainWindow::Answer::discard; };
-        window->show();
-        if (!QTest::qWaitForWindowExposed(window.get()))
-            ADD_FAILURE() << "the window does not show";
-    }
-    [[nodiscard]] const Figure& figure() const { return *window->document().figure(); }
-    [[nodiscard]] bool hasFinal() const {
-        const auto& picture = window->viewport().picture();
-        return picture && picture->facts.final && picture->image.size() == window->viewport().picturePixels();
-    }
-    bool waitForFinal() {
-        return pumpUntil([this] {
-            return hasFinal() && window->viewport().picture()->plan->figure->layers == figure().layers &&
-                   window->viewport().picture()->plan->figure->camera == figure().camera;
-        });
-    }
-    bool openSample() {
-        window->openSample();
-        return pumpUntil([this] { return !window->document().empty(); }) && waitForFinal();
-    }
-    void trigger(const char* id) { window->actions().at(id)->trigger(); }
-    std::unique_ptr<MainWindow> window;
 };
 
 /// Whether the picture shows anything but its background.
@@ -126,7 +98,7 @@ TEST(Studio, ALockedLayerIsLeftAloneByThemesAndPanels) {
     const Figure locked = studio.figure();
     ASSERT_TRUE(locked.layers.at(0).locked);
     EXPECT_FALSE(studio.window->transferEditor().canvas()->isEnabled());
-    EXPECT_FALSE(studio.window->gallery().list()->isEnabled());
+    EXPECT_FALSE(studio.window->gallery().place()) << "styles are looked at, not put anywhere";
     auto* theme = studio.window->findChild<QAction*>("theme.blackboard");
     ASSERT_NE(theme, nullptr);
     theme->trigger();
@@ -291,13 +263,12 @@ void chooseTheme(Studio& studio) {
 
 /// Another style, by a click into the gallery.
 void clickAStyle(Studio& studio) {
-    QListWidget* list = studio.window->gallery().list();
-    ASSERT_TRUE(pumpUntil([&] { return list->count() >= 20; })) << "at least twenty bundled styles";
+    GalleryList* list = studio.window->gallery().list();
+    ASSERT_TRUE(pumpUntil([&] { return list->items().size() >= 20; })) << "at least twenty bundled styles";
     const std::string before = studio.figure().layers[0].transfer.nodes.at(0).style;
-    int row = 0;
-    while (list->item(row)->data(Qt::UserRole).toString().toStdString() == before)
-        ++row;
-    QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(row)).center());
+    const auto other = std::find_if(list->items().begin(), list->items().end(),
+                                    [&](const GalleryItem& item) { return item.card.id != before; });
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->rowOf(other->key())).center());
     EXPECT_NE(studio.figure().layers[0].transfer.nodes.at(0).style, before);
     ASSERT_TRUE(studio.waitForFinal());
 }

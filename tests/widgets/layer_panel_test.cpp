@@ -200,21 +200,22 @@ TEST(LayerList, EditorsOfTheTransferFunctionRespectTheLock) {
     int edits = 0;
     QObject::connect(&editor, &TransferEditor1d::edited, [&] { ++edits; });
     QObject::connect(&gallery, &StyleGallery::edited, [&] { ++edits; });
-    Style style;
-    style.card.id = "ink";
-    style.card.name = "Ink";
-    style.sphere = testing::plainSphere(0, 0, 0);
-    gallery.setStyles({style});
+    gallery.setSource([](const std::string& key) {
+        auto style = std::make_shared<Style>();
+        style->card.id = styleIdOf(key);
+        style->sphere = testing::plainSphere(0, 0, 0);
+        return style;
+    });
     for (const std::size_t layer : {0U, 1U}) {
         editor.setFigure(shared, layer);
         gallery.setFigure(shared, layer, {});
         EXPECT_EQ(editor.canvas()->isEnabled(), layer == 1);
-        EXPECT_EQ(gallery.list()->isEnabled(), layer == 1);
+        EXPECT_EQ(gallery.place().has_value(), layer == 1);
         editor.canvas()->select(TransferCanvas::Handle{TransferCanvas::HandleKind::point, 1});
         editor.canvas()->moveSelected(300, 0.2);
         editor.canvas()->addPointAfterSelected();
         editor.canvas()->removeSelected();
-        Q_EMIT gallery.list()->itemClicked(gallery.list()->item(0));
+        Q_EMIT gallery.list()->useWanted("bundled:ink");
         EXPECT_EQ(edits, layer == 1 ? 4 : 0);
     }
 }

@@ -1,6 +1,5 @@
 #include "widgets/layer_form.h"
 #include "widgets/progress_strip.h"
-#include "widgets/style_gallery.h"
 #include "widgets/style_image.h"
 
 #include "support/qt/qt_events.h"
@@ -13,94 +12,14 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QLineEdit>
-#include <QListWidget>
 #include <QSlider>
 #include <QTest>
+#include <QToolButton>
 
 namespace limner {
 namespace {
 
 using testing::pumpUntil;
-
-std::vector<Style> someStyles() {
-    std::vector<Style> styles;
-    for (const char* name : {"Ink line", "Ivory bone", "Red chalk"}) {
-        Style style;
-        style.card.name = name;
-        style.card.id = QString(name).toLower().replace(' ', '-').toStdString();
-        style.card.tags = {QString(name).startsWith("Ivory") ? "skeleton" : "drawing"};
-        style.sphere = testing::plainSphere(0.5F, 0.4F, 0.3F);
-        styles.push_back(style);
-    }
-    return styles;
-}
-
-TEST(StyleGallery, AClickReplacesTheStyleOfNodeOrLayer) {
-    StyleGallery gallery;
-    gallery.resize(220, 500);
-    gallery.setStyles(someStyles());
-    const Figure start = testing::smallFigure();
-    History history(start);
-    QObject::connect(&gallery, &StyleGallery::edited, [&](const Edit& edit) { history.apply(edit); });
-    gallery.setFigure(history.current(), 0, 1);
-    gallery.show();
-    QTest::qWait(0);
-    const auto click = [&](int row) {
-        const QRect cell = gallery.list()->visualItemRect(gallery.list()->item(row));
-        QTest::mouseClick(gallery.list()->viewport(), Qt::LeftButton, {}, cell.center());
-    };
-    click(2);
-    EXPECT_EQ(history.current()->layers[0].transfer.nodes[0].style, "ivory");
-    EXPECT_EQ(history.current()->layers[0].transfer.nodes[1].style, "red-chalk");
-    ASSERT_NE(history.current()->findStyle("red-chalk"), nullptr);
-    EXPECT_EQ(history.current()->findStyle("red-chalk")->file, "bundled:red-chalk");
-    gallery.setFigure(history.current(), 0, std::nullopt);
-    click(0);
-    for (const TransferNode& node : history.current()->layers[0].transfer.nodes)
-        EXPECT_EQ(node.style, "ink-line");
-    EXPECT_EQ(history.current()->findStyle("ivory"), nullptr) << "bundled styles that nothing uses leave";
-    EXPECT_EQ(history.position(), 2U);
-    history.undo();
-    history.undo();
-    EXPECT_EQ(*history.current(), start);
-}
-
-TEST(StyleGallery, SearchesNamesAndTags) {
-    StyleGallery gallery;
-    gallery.setStyles(someStyles());
-    const auto shown = [&] {
-        int count = 0;
-        for (int i = 0; i < gallery.list()->count(); ++i)
-            count += gallery.list()->item(i)->isHidden() ? 0 : 1;
-        return count;
-    };
-    EXPECT_EQ(shown(), 3);
-    gallery.search()->setText("SKEL");
-    EXPECT_EQ(shown(), 1);
-    gallery.search()->setText("draw chalk");
-    EXPECT_EQ(shown(), 1);
-    gallery.search()->setText("no such thing");
-    EXPECT_EQ(shown(), 0);
-    gallery.search()->clear();
-    EXPECT_EQ(shown(), 3);
-}
-
-TEST(StyleGallery, EnterWorksLikeAClick) {
-    StyleGallery gallery;
-    gallery.setStyles(someStyles());
-    History history(testing::smallFigure());
-    QObject::connect(&gallery, &StyleGallery::edited, [&](const Edit& edit) { history.apply(edit); });
-    gallery.setFigure(history.current(), 0, 0);
-    gallery.show();
-    gallery.activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(&gallery));
-    gallery.list()->setFocus();
-    gallery.list()->setCurrentRow(1);
-    QTest::qWait(0);
-    QTest::keyClick(gallery.list(), Qt::Key_Return);
-    EXPECT_EQ(history.current()->layers[0].transfer.nodes[0].style, "ivory-bone");
-}
 
 /// A form over a history, as the window joins them.
 struct LayerFormOnHistory {
@@ -245,6 +164,23 @@ TEST(ProgressStrip, ShowsLastingWorkAndCancelsIt) {
     job.cancel();
     ASSERT_TRUE(pumpUntil([&] { return cancelled; }));
     EXPECT_FALSE(strip.isVisible());
+}
+
+TEST(NoticeBar, AnOfferIsTakenOnce) {
+    QWidget window;
+    NoticeBar bar(&window);
+    window.show();
+    int taken = 0;
+    bar.offer("Removed “Ivory”", "Undo", [&] { ++taken; });
+    EXPECT_EQ(bar.action()->text(), "Undo");
+    EXPECT_TRUE(bar.action()->isVisible());
+    bar.action()->click();
+    EXPECT_EQ(taken, 1);
+    EXPECT_FALSE(bar.isVisible());
+    bar.offer("Removed “Ink”", "Undo", [&] { ++taken; });
+    bar.setNotices({"One slice is missing."}, NoticeBar::Kind::information);
+    EXPECT_FALSE(bar.action()->isVisible()) << "another notice has no offer";
+    EXPECT_EQ(taken, 1);
 }
 
 TEST(NoticeBar, HidesWithoutNotices) {

@@ -136,6 +136,40 @@ TEST(TransferCanvas, AStepJumps) {
     EXPECT_EQ(opacityAt(e.transfer().opacity, 1000), 1);
 }
 
+/// Keys go through the source that the studio gives: onto a ball, or where the value is.
+TEST(TransferCanvas, ADroppedStyleIsResolvedByItsKey) {
+    Edited e;
+    QMimeData data;
+    data.setData(kStyleMime, "mine:ink");
+    const auto drop = [&](QPointF at) {
+        QDragEnterEvent enter(at.toPoint(), Qt::CopyAction, &data, Qt::LeftButton, {});
+        QApplication::sendEvent(&e.canvas(), &enter);
+        QDropEvent event(at, Qt::CopyAction, &data, Qt::LeftButton, {});
+        QApplication::sendEvent(&e.canvas(), &event);
+    };
+    const QPointF ball = *e.canvas().positionOf({Kind::node, 1});
+    drop(ball);
+    EXPECT_EQ(e.history.position(), 0U) << "without a source nothing can be dropped";
+    std::string asked;
+    e.editor.setStyleSource([&](const std::string& key) {
+        asked = key;
+        auto style = std::make_shared<Style>();
+        style->card.id = "ink";
+        style->file = "/styles/ink.png";
+        style->sphere = testing::plainSphere(0, 0, 0);
+        return style;
+    });
+    drop(ball);
+    EXPECT_EQ(asked, "mine:ink");
+    EXPECT_EQ(e.transfer().nodes[1].style, "ink");
+    EXPECT_EQ(e.history.current()->findStyle("ink")->file, "/styles/ink.png");
+    drop(ball - QPointF(60, 0));
+    EXPECT_EQ(e.transfer().nodes.size(), 3U);
+    e.editor.setStyleSource([](const std::string&) { return nullptr; });
+    drop(ball);
+    EXPECT_EQ(e.history.position(), 2U) << "a style that is no more";
+}
+
 TEST(TransferCanvas, FieldsShowAndSetTheSelectedPoint) {
     Edited e;
     e.canvas().select(Handle{Kind::point, 1});

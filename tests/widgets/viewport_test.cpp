@@ -57,6 +57,20 @@ TEST(Viewport, TheSheetHasTheFiguresProportions) {
     EXPECT_NEAR(sheet.center().x(), shown.viewport.rect().center().x(), 1.5);
 }
 
+TEST(Viewport, AClickThatMovesNothingIsToldAndNoEdit) {
+    Shown shown;
+    std::vector<QPointF> clicks;
+    QObject::connect(&shown.viewport, &Viewport::clicked, [&](QPointF at) { clicks.push_back(at); });
+    QTest::mouseClick(&shown.viewport, Qt::LeftButton, {}, shown.middle());
+    ASSERT_EQ(clicks.size(), 1U);
+    EXPECT_EQ(clicks[0], QPointF(shown.middle()));
+    EXPECT_EQ(shown.history.position(), 0U);
+    shown.drag(Qt::LeftButton, {}, {40, 0});
+    QTest::mouseClick(&shown.viewport, Qt::LeftButton, {}, QPoint(1, 1));
+    QTest::mouseClick(&shown.viewport, Qt::MiddleButton, {}, shown.middle());
+    EXPECT_EQ(clicks.size(), 1U) << "neither a drag, nor the desk, nor another button";
+}
+
 TEST(Viewport, ADragTurnsInOneStep) {
     Shown shown;
     const Camera before = shown.camera();

@@ -223,8 +223,11 @@ double RoundScores::guess(const Oval& oval) const {
 double RoundScores::of(const Rim& rim) const {
     const InnerCourse course = courseOf(rim.oval);
     const double whole = 1 - rising(course.broken, 0.07, 0.38);
-    const double shaded = rising(course.range, 0.08, 0.4) * rising(course.smooth, 0.3, 0.85) * whole *
-                          (0.4 + 0.6 * rising(course.bulging, -0.1, 0.35));
+    // Without an edge only a lighter middle makes a bulge; with one, the light may come from the side.
+    const double lit = rising(course.bulging, -0.1, 0.35);
+    const double trust = 0.4 * rising(rim.support, 0.2, 0.5);
+    const double shaded =
+        rising(course.range, 0.08, 0.4) * rising(course.smooth, 0.3, 0.85) * whole * (trust + (1 - trust) * lit);
     // Where the inside does not hang together, only an edge all around says that it is one thing.
     const double edged = rising(rim.support, 0.55 - 0.25 * shaded, 0.95 - 0.1 * shaded) *
                          (0.4 + 0.6 * rising(rim.contrast, 0.02, 0.15)) * (1 - 0.6 * rising(rim.wobble, 0.006, 0.03));

@@ -1,6 +1,7 @@
 #include "core/figure/transfer_edits.h"
 
 #include "core/style/lit_sphere.h"
+#include "core/style/texture_tile.h"
 #include "core/style/transfer_function.h"
 
 #include <gtest/gtest.h>
@@ -14,6 +15,7 @@ Style styleNamed(const std::string& id) {
     Style style;
     style.card.id = id;
     style.card.name = id;
+    style.file = "bundled:" + id;
     style.sphere = std::make_shared<const LitSphere>(4, std::vector<Rgba>(16));
     return style;
 }
@@ -89,6 +91,45 @@ TEST(TransferEdits, AStyleIsListedOnceAndNeverTakesAnothersName) {
     const std::size_t count = figure.styles.size();
     figure = withStyle(figure, 0, 1, styleNamed("own"));
     EXPECT_EQ(figure.styles.size(), count);
+}
+
+/// What the library on disk has comes with its path and its texture, leaves when nothing uses it, and is never mixed up
+/// with a bundled style of that id.
+TEST(TransferEdits, AStyleOfTheUsersOwnIsListedByItsFile) {
+    Style chalk = styleNamed("chalk");
+    const Figure bundled = withStyle(twoLayers(), 0, 0, chalk);
+    chalk.file = "/styles/chalk.png";
+    chalk.sphere = std::make_shared<const LitSphere>(8, std::vector<Rgba>(64));
+    chalk.texture = std::make_shared<const TextureTile>(TextureTile(4, std::vector<Rgba>(16, Rgba{1, 1, 1, 1})));
+    const Figure both = withStyle(bundled, 0, 1, chalk);
+    EXPECT_EQ(both.layers[0].transfer.nodes[0].style, "chalk");
+    EXPECT_EQ(both.layers[0].transfer.nodes[1].style, "chalk-2");
+    const StyleEntry* entry = both.findStyle("chalk-2");
+    ASSERT_NE(entry, nullptr);
+    EXPECT_EQ(entry->file, "/styles/chalk.png");
+    ASSERT_TRUE(entry->texture);
+    EXPECT_EQ(entry->texture->file, "/styles/chalk-texture.png");
+    EXPECT_EQ(entry->texture->tile, chalk.texture);
+    const Figure again = withStyle(both, 0, 1, styleNamed("ink"));
+    EXPECT_EQ(again.findStyle("chalk-2"), nullptr) << "the library has it";
+}
+
+TEST(TransferEdits, AStyleGoesOntoOneCellOfAPlaneOrAll) {
+    Figure figure = twoLayers();
+    Transfer& transfer = figure.layers[0].transfer;
+    transfer.kind = TransferKind::twoDimensional;
+    transfer.axes = {"value", "label"};
+    transfer.grid = TransferGrid{{0, 100}, {-1, 5}, {{"ivory", "#ff0000"}, {"own", "own"}}};
+    const Figure one = withStyle(figure, 0, 3, styleNamed("ink"));
+    EXPECT_EQ(one.layers[0].transfer.grid->styles,
+              (std::vector<std::vector<std::string>>{{"ivory", "#ff0000"}, {"own", "ink"}}));
+    const Figure all = withStyle(figure, 0, std::nullopt, styleNamed("ink"));
+    EXPECT_EQ(all.layers[0].transfer.grid->styles,
+              (std::vector<std::vector<std::string>>{{"ink", "ink"}, {"ink", "ink"}}));
+    EXPECT_EQ(all.layers[0].transfer.nodes, transfer.nodes) << "a plane does not read them";
+    transfer.grid.reset();
+    const Figure fresh = withStyle(figure, 0, std::nullopt, styleNamed("ink"));
+    EXPECT_EQ(fresh.layers[0].transfer.grid, (TransferGrid{{0}, {-1}, {{"ink"}}}));
 }
 
 TEST(TransferEdits, ALayerWithoutNodesGetsOne) {

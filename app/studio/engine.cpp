@@ -1,0 +1,13 @@
+#include "app/studio/engine.h"
+
+namespace limner {
+
+Engine makeEngine() {
+    auto planner = std::make_shared<Planner>();
+    return {[planner](const Figure& figure, const PlanRequest& request, Task& task) {
+                return planner->plan(figure, request, task);
+            },
+            [] { return makeCpuBackend(); }};
+}
+
+} // namespace limner
