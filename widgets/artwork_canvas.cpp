@@ -45,7 +45,7 @@ void ArtworkCanvas::setDraft(const ExtractionDraft& draft) {
         viewChanged();
     }
     if (otherRegion)
-        regionEdge_ = draft_.region ? borderOf(*draft_.region) : QVector<QLineF>();
+        regionBorder_.reset();
     update();
 }
 

@@ -10,6 +10,7 @@
 #include <QWidget>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace limner {
@@ -83,7 +84,7 @@ class ArtworkCanvas : public QWidget, private ToolHost {
     void showCursor();
     void paintArtwork(QPainter& painter) const;
     void paintMask(QPainter& painter, const Mask& mask, const QVector<QRgb>& colours) const;
-    void paintForm(QPainter& painter) const;
+    void paintForm(QPainter& painter);
     void paintMarks(QPainter& painter) const;
 
     struct Sharper {
@@ -99,7 +100,7 @@ class ArtworkCanvas : public QWidget, private ToolHost {
     std::unique_ptr<ArtworkTool> tool_;
     ToolOptions options_;
     Sharper sharper_;
-    QVector<QLineF> regionEdge_; ///< in the mask's pixels
+    std::optional<QVector<QLineF>> regionBorder_; ///< in the mask's pixels; found when it is painted
     QTimer rest_;
     bool space_ = false;
     bool panning_ = false;

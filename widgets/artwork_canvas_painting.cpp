@@ -8,6 +8,7 @@
 #include <QPainter>
 
 #include <utility>
+#include <vector>
 
 namespace limner {
 namespace {
@@ -31,22 +32,26 @@ QVector<QLineF> borderOf(const Mask& mask) {
     const auto marked = [&](int x, int y) {
         return x >= 0 && y >= 0 && x < mask.width && y < mask.height && mask.has(x, y);
     };
-    for (int y = 0; y <= mask.height; ++y) // runs of pixels' upper sides
-        for (int x = 0, from = -1; x <= mask.width; ++x) {
-            const bool edge = x < mask.width && marked(x, y) != marked(x, y - 1);
-            if (edge && from < 0)
+    // Runs of pixels' sides, gathered row by row, as the mask lies in memory; those going down are open until they end.
+    std::vector<int> downFrom(static_cast<std::size_t>(mask.width) + 1, -1);
+    for (int y = 0; y <= mask.height; ++y) {
+        int from = -1;
+        bool before = false; // the pixel to the left
+        for (int x = 0; x <= mask.width; ++x) {
+            const bool here = marked(x, y);
+            const bool across = x < mask.width && here != marked(x, y - 1);
+            if (across && from < 0)
                 from = x;
-            if (!edge && from >= 0)
+            if (!across && from >= 0)
                 lines << QLineF(std::exchange(from, -1), y, x, y);
+            int& down = downFrom[static_cast<std::size_t>(x)];
+            if (here != before && down < 0)
+                down = y;
+            if (here == before && down >= 0)
+                lines << QLineF(x, std::exchange(down, -1), x, y);
+            before = here;
         }
-    for (int x = 0; x <= mask.width; ++x)
-        for (int y = 0, from = -1; y <= mask.height; ++y) {
-            const bool edge = y < mask.height && marked(x, y) != marked(x - 1, y);
-            if (edge && from < 0)
-                from = y;
-            if (!edge && from >= 0)
-                lines << QLineF(x, std::exchange(from, -1), x, y);
-        }
+    }
     return lines;
 }
 
@@ -108,10 +113,12 @@ void ArtworkCanvas::paintMask(QPainter& painter, const Mask& mask, const QVector
     painter.drawImage(target, all.copy(part).convertToFormat(QImage::Format_ARGB32_Premultiplied));
 }
 
-void ArtworkCanvas::paintForm(QPainter& painter) const {
+void ArtworkCanvas::paintForm(QPainter& painter) {
     if (draft_.form == FormKind::region && draft_.region) {
         static const QVector<QRgb> kVeil = shades(QColor(96, 100, 108, 150), true);
         paintMask(painter, *draft_.region, kVeil);
+        if (!regionBorder_)
+            regionBorder_ = borderOf(*draft_.region);
         painter.save();
         const QRectF sheet = view_.sheet();
         painter.translate(sheet.topLeft());
@@ -121,7 +128,7 @@ void ArtworkCanvas::paintForm(QPainter& painter) const {
             QPen pen(colour, width, Qt::SolidLine, Qt::RoundCap);
             pen.setCosmetic(true);
             painter.setPen(pen);
-            painter.drawLines(regionEdge_);
+            painter.drawLines(*regionBorder_);
         };
         cosmetic(QColor(255, 255, 255, 225), 3.6);
         cosmetic(palette().color(QPalette::Highlight), 1.6);

@@ -11,6 +11,7 @@
 #include <QKeySequence>
 #include <QLabel>
 #include <QPainter>
+#include <QShortcut>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QStackedWidget>
@@ -47,6 +48,11 @@ constexpr ToolRow kTools[] = {
     {ToolKind::picker, TEXT("Picker"), TEXT("Make a style of two to five colours picked from the artwork"), "P", true},
 };
 #undef TEXT
+
+/// At once: a button's own short cut waits for the picture of a press, and the hand may be faster.
+void clickBy(QToolButton* button, const char* key) {
+    QObject::connect(new QShortcut(QKeySequence(key), button), &QShortcut::activated, button, &QToolButton::click);
+}
 
 QHBoxLayout* lineOf(QWidget* page) {
     auto* line = new QHBoxLayout(page);
@@ -85,7 +91,7 @@ ArtworkToolBar::ArtworkToolBar(QWidget* parent) : QWidget(parent) {
         showWhenChosen(button);
         button->setAutoRaise(true);
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-        button->setShortcut(QKeySequence(row.key));
+        clickBy(button, row.key);
         group->addButton(button, static_cast<int>(row.kind));
         layout->addWidget(button);
         buttons_[row.kind] = button;
@@ -124,7 +130,7 @@ QWidget* ArtworkToolOptions::ballPage() {
     fromCentre_ = new QCheckBox(tr("From the &centre"));
     fromCentre_->setToolTip(tr("Draw from the ball's centre; off: from edge to edge (Alt does the other)"));
     snap_ = textButton(tr("Snap to edge"), tr("Lets the outline follow the picture's edge near it (S)"));
-    snap_->setShortcut(QKeySequence("S"));
+    clickBy(snap_, "S");
     auto* line = lineOf(page);
     line->addWidget(fromCentre_);
     line->addWidget(snap_);

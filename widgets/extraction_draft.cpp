@@ -1,5 +1,7 @@
 #include "widgets/extraction_draft.h"
 
+#include "core/style/slug.h"
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -13,20 +15,6 @@ constexpr std::size_t kMostMaskBytes = 256U << 20U; // of all steps together; a 
 constexpr int kOngoingSize = 256;                   // of the sphere while a hand is still moving
 
 std::string trimmed(const std::string& text) { return QString::fromStdString(text).trimmed().toStdString(); }
-
-std::string idOf(const std::string& name) {
-    std::string id;
-    for (const QChar letter : QString::fromStdString(name).toLower().normalized(QString::NormalizationForm_D)) {
-        const char c = letter.toLatin1();
-        if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'))
-            id += c;
-        else if (!letter.isMark() && !id.empty() && id.back() != '-')
-            id += '-';
-    }
-    while (!id.empty() && id.back() == '-')
-        id.pop_back();
-    return id.empty() ? "style" : id;
-}
 
 QString formWords(const ExtractionDraft& draft) {
     const auto whole = [](double value) { return QString::number(std::lround(value)); };
@@ -94,7 +82,7 @@ Swatches swatchesOf(const PickedSwatches& picked) {
 StyleCard cardOf(const ExtractionDraft& draft, const std::string& date) {
     StyleCard card;
     card.name = trimmed(draft.name);
-    card.id = idOf(card.name);
+    card.id = slugOf(card.name);
     for (const QString& tag : QString::fromStdString(draft.tags).split(',')) {
         const std::string word = tag.simplified().toStdString();
         if (!word.empty() && std::find(card.tags.begin(), card.tags.end(), word) == card.tags.end())

@@ -10,14 +10,18 @@ struct Words {
     Q_DECLARE_TR_FUNCTIONS(ExtractionWords)
 };
 
-/// Good up to the first bound, fair up to the second.
-Grade gradeOf(double value, double good, double fair) {
-    return value <= good ? Grade::good : value <= fair ? Grade::fair : Grade::poor;
+/// Good below the first bound, fair below the second. Poor is what `verdictOf` has an advice on; there are the reasons.
+struct Bounds {
+    double good = 0;
+    double fair = 0;
+};
+Grade gradeOf(double value, const Bounds& bounds) {
+    return value < bounds.good ? Grade::good : value < bounds.fair ? Grade::fair : Grade::poor;
 }
 
 GradedFigure coverageWords(double coverage) {
-    // A ball seen whole covers all but its outermost rim; less than half of the directions is a guess for the rest.
-    const Grade grade = gradeOf(1 - coverage, 0.15, 0.45);
+    // A ball seen whole covers all but its outermost rim.
+    const Grade grade = gradeOf(-coverage, {-0.85, -0.5 + 1e-9});
     const QString tip =
         Words::tr("How much of the ball was seen in the artwork; the rest is filled in from around it.");
     const QString advice =
@@ -27,8 +31,7 @@ GradedFigure coverageWords(double coverage) {
 }
 
 GradedFigure residualWords(double residual) {
-    // One in twenty of the range is about what grain and fine hatching make; one in ten is seen at a glance.
-    const Grade grade = gradeOf(residual, 0.05, 0.1);
+    const Grade grade = gradeOf(residual, {0.03, 0.08});
     const QString tip =
         Words::tr("How far the form, shaded again with this style, is from the artwork (root mean square of "
                   "the colours, 0 to 1).");
@@ -41,8 +44,8 @@ GradedFigure residualWords(double residual) {
 }
 
 GradedFigure holeWords(double degrees) {
-    // Across 20 degrees a smooth fill is hardly told from paint; 45 are half of the way from the middle to the rim.
-    const Grade grade = gradeOf(degrees, 20, 45);
+    // Across 20 degrees a smooth fill is hardly told from paint.
+    const Grade grade = gradeOf(degrees, {20, 40});
     QString tip =
         Words::tr("The widest gap between directions that were seen; it is filled smoothly, without guessing.");
     const QString advice =
@@ -52,12 +55,8 @@ GradedFigure holeWords(double degrees) {
     return {Words::tr("Largest hole"), Words::tr("%1°").arg(degrees, 0, 'f', 0), tip, advice, grade};
 }
 
-// As the residual, but of smooth spheres: grain plays no part in it.
-constexpr double kGoodForm = 0.02;
-constexpr double kFairForm = 0.06;
-
 GradedFigure placementWords(double rmse) {
-    const Grade grade = gradeOf(rmse, kGoodForm, kFairForm);
+    const Grade grade = gradeOf(rmse, {0.01, 0.03});
     const QString tip = Words::tr("How much the style would change if the outline were snapped to the picture's edge.");
     const QString advice = grade == Grade::good
                                ? QString()
@@ -66,7 +65,7 @@ GradedFigure placementWords(double rmse) {
 }
 
 GradedFigure depthWords(double rmse) {
-    const Grade grade = gradeOf(rmse, kGoodForm, kFairForm);
+    const Grade grade = gradeOf(rmse, {0.03, 0.05});
     QString tip =
         Words::tr("How much the style would change if the form were deeper by a quarter: no picture tells its "
                   "depth.");

@@ -128,7 +128,6 @@ QWidget* ExtractionDialog::buildHead() {
     line->addSpacing(kGap);
     line->addWidget(options_);
     line->addStretch(1);
-    line->addWidget(progress_);
     constexpr int kZoomWidth = 52; // "4000 %"
     zoom_->setMinimumWidth(kZoomWidth);
     zoom_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -164,7 +163,10 @@ QWidget* ExtractionDialog::buildMiddle() {
     auto* stack = new QGridLayout(art);
     stack->setContentsMargins(0, 0, 0, 0);
     stack->addWidget(pages_, 0, 0);
-    stack->addWidget(notices_, 0, 0, Qt::AlignTop); // over the artwork, which must not move under the hand
+    // Over the artwork, which must not move under the hand.
+    stack->addWidget(notices_, 0, 0, Qt::AlignTop);
+    stack->addWidget(progress_, 0, 0, Qt::AlignBottom | Qt::AlignRight);
+    progress_->setAutoFillBackground(true);
     auto* previewHead = new QLabel(tr("On the figure"));
     form_->pictures()->addWidget(previewHead, 0, 1);
     form_->pictures()->addWidget(preview_, 1, 1);

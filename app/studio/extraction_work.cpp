@@ -85,7 +85,16 @@ void ExtractionWork::snap(const PlatePtr& plate, const Ellipse& rough) {
         [found, plate, rough](Task& task) {
             const glm::dvec2 reach(std::max(rough.semiAxes.x, rough.semiAxes.y));
             const ArtCut cut = plate->artwork->cut(around(rough.centre - reach, rough.centre + reach), kSnapSide, task);
+            // A rough outline comes near the edge first, and from there onto it.
+            constexpr int kMostTimes = 3;
             *found = snapEllipse(cut, rough);
+            for (int i = 1; i < kMostTimes && *found; ++i) {
+                task.throwIfCancelled();
+                const auto nearer = snapEllipse(cut, **found);
+                if (!nearer || *nearer == **found)
+                    break;
+                *found = nearer;
+            }
         },
         [this, found, plate] { Q_EMIT snapped(plate, *found); });
 }

@@ -270,6 +270,22 @@ TEST(Extraction, PastedPicturesAndPickedColoursGiveAStyle) {
     EXPECT_GT(on.sphere().at(0.6, 0.6).r, before) << "the light has come round";
 }
 
+TEST(Extraction, LettersChooseToolsButNotWhileTyping) {
+    Extracting on(false);
+    ASSERT_TRUE(on.open(paintedBall(), "painted_ball.png"));
+    on.dialog->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(on.dialog));
+    on.dialog->canvas().setFocus();
+    QTest::keyClick(&on.dialog->canvas(), Qt::Key_R);
+    EXPECT_EQ(on.dialog->canvas().tool(), ToolKind::region);
+    on.dialog->card().name()->setFocus();
+    QTest::keyClick(on.dialog->card().name(), Qt::Key_C);
+    EXPECT_EQ(on.dialog->canvas().tool(), ToolKind::region);
+    EXPECT_TRUE(on.dialog->card().name()->text().endsWith('c'));
+    QTest::keyClick(&on.dialog->canvas(), Qt::Key_Escape);
+    EXPECT_TRUE(on.dialog->isVisible()) << "Escape gives up what is begun, not the dialog";
+}
+
 /// What cannot be looked through by eye: every control can be reached and has a name to be read out.
 TEST(Extraction, ControlsHaveNames) {
     Extracting on(false);

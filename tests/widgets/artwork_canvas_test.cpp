@@ -395,6 +395,23 @@ TEST(ArtworkCanvas, AsksForASharperPartOfALargeScan) {
     EXPECT_EQ(part, (ArtRect{2048 - 400, 0, 800, 64}));
 }
 
+TEST(ArtworkCanvas, ABorderRunsAlongThePixelsSides) {
+    Mask mask;
+    mask.width = 4;
+    mask.height = 3;
+    mask.values = {0,   0,   0,   0, //
+                   0,   255, 255, 0, //
+                   255, 0,   0,   0};
+    QVector<QLineF> lines = borderOf(mask);
+    double length = 0;
+    for (const QLineF& line : lines)
+        length += line.length();
+    EXPECT_EQ(length, 6 + 4);
+    EXPECT_TRUE(lines.contains(QLineF(1, 1, 3, 1))) << "one line for two pixels";
+    EXPECT_TRUE(lines.contains(QLineF(0, 2, 0, 3))) << "along the mask's own edge";
+    EXPECT_TRUE(lines.contains(QLineF(0, 3, 1, 3)));
+}
+
 TEST(ArtworkCanvas, KeysChangeTheBrush) {
     Shown shown(ToolKind::brush);
     const double radius = shown.canvas.options().brushRadius;

@@ -1,5 +1,6 @@
 #include "widgets/extraction_form.h"
 
+#include "core/style/extraction/verdict.h"
 #include "widgets/art_plate.h"
 #include "widgets/curve_editor.h"
 #include "widgets/extraction_words.h"
@@ -121,7 +122,7 @@ TEST(ExtractionForm, FiguresAreToldInWordsWithWhatToDo) {
 TEST(ExtractionWords, GradesFallAsFiguresGetWorse) {
     for (const bool outlined : {false, true}) {
         const auto good = gradedFigures({0.95, 0.01, 5, 0.005}, outlined);
-        const auto fair = gradedFigures({0.7, 0.08, 30, 0.04}, outlined);
+        const auto fair = gradedFigures({0.7, 0.05, 30, outlined ? 0.04 : 0.02}, outlined);
         const auto poor = gradedFigures({0.3, 0.2, 80, 0.2}, outlined);
         ASSERT_EQ(good.size(), 4U);
         for (std::size_t i = 0; i < good.size(); ++i) {
@@ -134,6 +135,23 @@ TEST(ExtractionWords, GradesFallAsFiguresGetWorse) {
         }
     }
     EXPECT_EQ(gradedFigures({0.95, 0.01, 5, std::nullopt}, false).size(), 3U);
+}
+
+/// The dialog and the command must not judge differently.
+TEST(ExtractionWords, PoorIsWhatTheVerdictHasAnAdviceOn) {
+    for (const double coverage : {0.2, 0.49, 0.5, 0.9})
+        for (const double residual : {0.01, 0.05, 0.079, 0.081})
+            for (const double hole : {5.0, 39.0, 41.0})
+                for (const double form : {0.005, 0.02, 0.031, 0.049, 0.051})
+                    for (const bool outlined : {false, true}) {
+                        const ExtractionFigures figures{coverage, residual, hole, form};
+                        const auto graded = gradedFigures(figures, outlined);
+                        const auto poor = std::count_if(graded.begin(), graded.end(), [](const GradedFigure& figure) {
+                            return figure.grade == Grade::poor;
+                        });
+                        EXPECT_EQ(static_cast<std::size_t>(poor), verdictOf(figures, outlined).advice.size())
+                            << coverage << " " << residual << " " << hole << " " << form << " " << outlined;
+                    }
 }
 
 /// Relative luminance, as the web's guidelines for contrast have it.
