@@ -45,7 +45,11 @@ void NewestJob::start(Wanted wanted) {
             Q_EMIT failed(error);
         ended();
     });
-    connect(job_, &Job::cancelled, this, [this] { ended(); });
+    connect(job_, &Job::cancelled, this, [this] {
+        if (heard_)
+            Q_EMIT stopped();
+        ended();
+    });
     job_->start();
     Q_EMIT started(job_);
 }

@@ -40,6 +40,7 @@ class NewestJob : public QObject {
 
   Q_SIGNALS:
     void failed(const limner::Error& error);
+    void stopped(); ///< someone else cancelled the newest: its button was pressed
     void started(limner::Job* job);
 
   private:

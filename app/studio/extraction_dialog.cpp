@@ -36,6 +36,13 @@ QString nameOf(const std::filesystem::path& file) {
     return name.left(1).toUpper() + name.mid(1);
 }
 
+/// Without the file's path: the artwork is in front of the reader.
+QString lineOf(const Error& error) {
+    ErrorText text = error.text();
+    text.where = std::filesystem::path(text.where).filename().string();
+    return QString::fromStdString(oneLine(text));
+}
+
 std::optional<std::filesystem::path> pictureFile(const QMimeData& data) {
     if (data.hasUrls() && data.urls().front().isLocalFile())
         return data.urls().front().toLocalFile().toStdString();
@@ -110,10 +117,14 @@ void ExtractionDialog::connectWork() {
     });
     connect(work_, &ExtractionWork::extracted, this, &ExtractionDialog::extracted);
     connect(work_, &ExtractionWork::extractionFailed, this, &ExtractionDialog::extractionFailed);
+    connect(work_, &ExtractionWork::extractionStopped, this, [this] {
+        wanted_.reset(); // the next change asks anew
+        addWhenDone_.reset();
+    });
     connect(work_, &ExtractionWork::added, this, &ExtractionDialog::wasAdded);
     connect(work_, &ExtractionWork::failed, this, [this](const Error& error) {
         addWhenDone_.reset();
-        showProblem(QString::fromUtf8(error.what()));
+        showProblem(lineOf(error));
     });
 }
 
@@ -138,6 +149,11 @@ void ExtractionDialog::showDraft() {
         ofPlate->setEnabled(now.plate != nullptr);
     if (otherPlate)
         work_->findRoundThings(now.plate);
+    if (plateShown_ != now.plate) {
+        const QString file =
+            now.plate ? QString::fromStdString(now.plate->artwork->file().filename().string()) : QString();
+        setWindowTitle(file.isEmpty() ? tr("Style from artwork") : tr("Style from artwork – %1").arg(file));
+    }
     plateShown_ = now.plate;
     showActions();
     wantExtraction();
@@ -187,8 +203,6 @@ void ExtractionDialog::plateOpened(const PlatePtr& plate) {
     fresh.size = draft().size;
     notices_->setNotices({}, NoticeBar::Kind::information);
     apply({std::move(fresh), tr("Open artwork"), {}, false});
-    setWindowTitle(
-        tr("Style from artwork – %1").arg(QString::fromStdString(plate->artwork->file().filename().string())));
     card_->say(tr("Click a dashed outline to take it, or draw around a form."));
     canvas_->setFocus();
 }
@@ -258,7 +272,7 @@ void ExtractionDialog::extractionFailed(const Error& error) {
     shown_ = {};
     failed_ = true;
     addWhenDone_.reset();
-    showProblem(QString::fromUtf8(error.what()));
+    showProblem(lineOf(error));
     showPictures();
 }
 
@@ -317,10 +331,12 @@ bool ExtractionDialog::unadded() const {
 void ExtractionDialog::addStyle(ExtractionWork::Then then) {
     if (!canExtract(draft()) || failed_)
         return;
-    if (shown_.pictures && shown_.whole && sameSphere(shown_.of, draft()))
+    if (shown_.pictures && shown_.whole && sameSphere(shown_.of, draft())) {
         addNow(then);
-    else
-        addWhenDone_ = then; // the newest is still being made
+        return;
+    }
+    addWhenDone_ = then; // the newest is still being made
+    wantExtraction();
 }
 
 void ExtractionDialog::addNow(ExtractionWork::Then then) {

@@ -35,6 +35,7 @@ ExtractionWork::ExtractionWork(QObject* parent)
         connect(job, &NewestJob::started, this, &ExtractionWork::started);
     }
     connect(&extracting_, &NewestJob::failed, this, &ExtractionWork::extractionFailed);
+    connect(&extracting_, &NewestJob::stopped, this, &ExtractionWork::extractionStopped);
     connect(&extracting_, &NewestJob::started, this, &ExtractionWork::started);
     // A failed proposal or sharper picture is no loss: the reduced copy stays.
 }

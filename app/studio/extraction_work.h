@@ -62,6 +62,7 @@ class ExtractionWork : public QObject {
     void extracted(const limner::ExtractionDraft& of, std::shared_ptr<const limner::ExtractionPictures> pictures,
                    bool whole);
     void extractionFailed(const limner::Error& error);
+    void extractionStopped();
     /// As the library gives it back.
     void added(const limner::Style& style, limner::ExtractionWork::Then then);
     /// Of any other work.

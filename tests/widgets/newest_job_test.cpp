@@ -1,6 +1,7 @@
 #include "widgets/newest_job.h"
 
 #include "support/qt/qt_events.h"
+#include "widgets/job.h"
 
 #include <gtest/gtest.h>
 
@@ -59,6 +60,21 @@ TEST(NewestJob, AFailureOfTheNewestIsTold) {
     gate.release();
     ASSERT_TRUE(pumpUntil([&] { return !job.busy(); }));
     EXPECT_EQ(told, std::vector<std::string>{"new"});
+}
+
+TEST(NewestJob, ItIsToldWhenSomeoneElseStopsIt) {
+    NewestJob job("Work", nullptr);
+    int stopped = 0;
+    QObject::connect(&job, &NewestJob::stopped, [&] { ++stopped; });
+    std::binary_semaphore gate(0);
+    job.want(held(gate), [] {});
+    job.job()->cancel();
+    ASSERT_TRUE(pumpUntil([&] { return !job.busy(); }));
+    EXPECT_EQ(stopped, 1);
+    job.want(held(gate), [] {});
+    job.drop();
+    ASSERT_TRUE(pumpUntil([&] { return !job.busy(); }));
+    EXPECT_EQ(stopped, 1) << "it was not wanted any more";
 }
 
 TEST(NewestJob, DroppedWorkIsNotHeardOfAndItsEndIsWaitedFor) {
