@@ -1,6 +1,7 @@
 #include "widgets/extraction_draft.h"
 
 #include "core/style/slug.h"
+#include "widgets/style_source.h"
 
 #include <algorithm>
 #include <cctype>
@@ -83,11 +84,7 @@ StyleCard cardOf(const ExtractionDraft& draft, const std::string& date) {
     StyleCard card;
     card.name = trimmed(draft.name);
     card.id = slugOf(card.name);
-    for (const QString& tag : QString::fromStdString(draft.tags).split(',')) {
-        const std::string word = tag.simplified().toStdString();
-        if (!word.empty() && std::find(card.tags.begin(), card.tags.end(), word) == card.tags.end())
-            card.tags.push_back(word);
-    }
+    card.tags = tagsOfLine(QString::fromStdString(draft.tags));
     const std::string file = draft.plate ? draft.plate->artwork->file().filename().string() : std::string();
     card.origin = file + (file.empty() ? "" : ", ") + formWords(draft).toStdString() + ", " + date;
     card.credit = trimmed(draft.credit);

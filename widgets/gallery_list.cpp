@@ -43,6 +43,13 @@ QString tipOf(const GalleryItem& item) {
     return lines.join('\n');
 }
 
+/// But for the ball.
+bool listedAlike(const GalleryItem& a, const GalleryItem& b) {
+    return a.home == b.home && a.card.id == b.card.id && a.card.name == b.card.name && a.card.tags == b.card.tags &&
+           a.card.origin == b.card.origin && a.card.credit == b.card.credit && a.card.licence == b.card.licence &&
+           a.file == b.file && a.favourite == b.favourite;
+}
+
 } // namespace
 
 GalleryList::GalleryList(QWidget* parent) : QListWidget(parent) {
@@ -69,6 +76,11 @@ const GalleryItem* GalleryList::find(const std::string& key) const {
 }
 
 void GalleryList::setItems(std::vector<GalleryItem> items) {
+    if (std::equal(items.begin(), items.end(), items_.begin(), items_.end(), listedAlike)) {
+        items_ = std::move(items);
+        viewport()->update(); // balls alone have come: a click that is under way goes on
+        return;
+    }
     const std::string current = currentKey();
     const int scrolled = verticalScrollBar()->value();
     items_ = std::move(items);

@@ -40,23 +40,6 @@ QWidget* row(std::initializer_list<QWidget*> widgets) {
 
 } // namespace
 
-QString tagLine(const std::vector<std::string>& tags) {
-    QStringList line;
-    for (const std::string& tag : tags)
-        line << QString::fromStdString(tag);
-    return line.join(", ");
-}
-
-std::vector<std::string> tagsOfLine(const QString& line) {
-    std::vector<std::string> tags;
-    for (const QString& part : line.split(',')) {
-        const std::string tag = part.simplified().toStdString();
-        if (!tag.empty() && std::find(tags.begin(), tags.end(), tag) == tags.end())
-            tags.push_back(tag);
-    }
-    return tags;
-}
-
 StyleDetails::StyleDetails(QWidget* parent)
     : QWidget(parent), ball_(new QLabel), scan_(new QLabel),
       onScan_(

@@ -66,8 +66,4 @@ class StyleDetails : public QWidget {
     QToolButton* remove_;
 };
 
-/// A line of tags, and back: separated by commas, without blanks around, none twice.
-QString tagLine(const std::vector<std::string>& tags);
-std::vector<std::string> tagsOfLine(const QString& line);
-
 } // namespace limner

@@ -17,7 +17,9 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <initializer_list>
 #include <map>
+#include <utility>
 
 namespace limner {
 namespace {
@@ -121,6 +123,12 @@ void StyleGallery::layOut() {
     layout->addWidget(list_, 1);
     layout->addLayout(sources);
     layout->addWidget(details_);
+    QWidget* before = search_;
+    for (QWidget* next : std::initializer_list<QWidget*>{
+             sizes_->buttons()[0], sizes_->buttons()[1], sizes_->buttons()[2], favourites_, tags_, detailsButton_,
+             list_, import_, extract_, details_->onScan(), details_->name(), details_->tags(), details_->credit(),
+             details_->licence(), details_->duplicate(), details_->remove()})
+        setTabOrder(std::exchange(before, next), next);
     QEvent palette(QEvent::PaletteChange);
     changeEvent(&palette);
 }

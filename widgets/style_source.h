@@ -3,10 +3,12 @@
 #include "core/style/lit_sphere.h"
 
 #include <QImage>
+#include <QString>
 
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace limner {
 
@@ -38,6 +40,10 @@ struct GalleryItem {
 
     [[nodiscard]] std::string key() const { return styleKey(home, card.id); }
 };
+
+/// A line of tags, and back: separated by commas, without blanks around, none twice.
+QString tagLine(const std::vector<std::string>& tags);
+std::vector<std::string> tagsOfLine(const QString& line);
 
 /// Device pixels of a gallery item's ball: the largest it is shown at, on a screen of twice the usual resolution.
 inline constexpr int kGalleryBallPixels = 192;

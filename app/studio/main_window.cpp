@@ -127,7 +127,7 @@ void MainWindow::buildPanels() {
     transfer->raise();
     resizeDocks({gallery, layers}, {kGalleryWidth, kPanelWidth}, Qt::Horizontal);
     resizeDocks({layers, transfer}, {460, 300}, Qt::Vertical);
-    QWidget* const order[] = {viewport_,         lens_,           gallery_->search(), gallery_->list(), layers_->list(),
+    QWidget* const order[] = {viewport_,         lens_,           gallery_,           layers_->list(),
                               labels_->search(), labels_->list(), transfer_->canvas()};
     for (std::size_t i = 1; i < std::size(order); ++i)
         setTabOrder(order[i - 1], order[i]);

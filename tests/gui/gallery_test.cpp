@@ -7,6 +7,7 @@
 #include "core/project/embedded_volume.h"
 #include "core/volume/phantom.h"
 #include "widgets/layer_list.h"
+#include "widgets/layer_rows.h"
 #include "widgets/notice_bar.h"
 #include "widgets/style_details.h"
 #include "widgets/style_drop.h"
@@ -276,6 +277,34 @@ TEST(StudioGallery, ThePictureOnTheScanFollowsThePointer) {
     EXPECT_EQ(studio.window->document().history().position(), 0U);
     details.onScan()->setChecked(false);
     EXPECT_TRUE(details.scanPicture()->pixmap().isNull());
+}
+
+/// Tab goes through all of the gallery from top to bottom, and on to the layers.
+TEST(StudioGallery, TheKeyboardReachesAllOfIt) {
+    GalleryStudio studio;
+    ASSERT_TRUE(studio.openSample());
+    ASSERT_TRUE(studio.rested());
+    studio.window->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(studio.window.get()));
+    const std::string own = studio.duplicate(studio.list().items().front().key());
+    studio.trigger("styles.find");
+    const StyleGallery& gallery = studio.gallery();
+    const StyleDetails& details = *gallery.details();
+    std::vector<QWidget*> reached;
+    for (int i = 0; i < 20 && studio.window->focusWidget() != studio.window->layers().list(); ++i) {
+        reached.push_back(studio.window->focusWidget());
+        QTest::keyClick(studio.window->focusWidget(), Qt::Key_Tab);
+    }
+    EXPECT_EQ(studio.window->focusWidget(), studio.window->layers().list());
+    const std::initializer_list<QWidget*> all{gallery.search(), gallery.favourites(),   gallery.detailsButton(),
+                                              gallery.list(),   gallery.importButton(), gallery.extractButton(),
+                                              details.onScan(), details.name(),         details.tags(),
+                                              details.credit(), details.licence(),      details.remove()};
+    auto from = reached.begin();
+    for (QWidget* widget : all) {
+        from = std::find(from, reached.end(), widget);
+        ASSERT_NE(from, reached.end()) << widget->accessibleName().toStdString() << widget->toolTip().toStdString();
+    }
 }
 
 TEST(StudioGallery, ItsActionsAreInTheMenu) {
