@@ -12,8 +12,10 @@
 namespace limner {
 namespace {
 
-constexpr double kLeastContrast = 0.24; ///< of a letter with what is beside it
-constexpr double kLeastFilled = 0.16;   ///< of a letter's hull, by its ink
+/// Of a letter with what is beside it.
+constexpr double kLeastContrast = 0.24;
+constexpr double kLeastStrictContrast = 0.38;
+constexpr double kLeastFilled = 0.16; ///< of a letter's hull, by its ink
 constexpr double kLeastHeight = 7;
 /// Of a row's letters, in shares of the plane's longer side.
 constexpr double kLargestHeight = 0.06;
@@ -23,9 +25,9 @@ constexpr double kMostBent = 0.82;   ///< cosine of the angle between steps from
 constexpr double kLeastShared = 0.5; ///< of two neighbours' heights, side by side
 
 /// Whether a mark may be a letter, looked at alone.
-bool letterLike(const InkMark& mark, double side) {
+bool letterLike(const InkMark& mark, double contrast, double side) {
     const double length = std::max(mark.extent(mark.axis), mark.extent({-mark.axis.y, mark.axis.x}));
-    return mark.contrast() >= kLeastContrast && length >= kLeastHeight && length <= 4 * kLargestHeight * side &&
+    return mark.contrast() >= contrast && length >= kLeastHeight && length <= 4 * kLargestHeight * side &&
            mark.stroke < 0.45 * length && mark.stroke > 0.04 * length && mark.area > kLeastFilled * mark.hullArea;
 }
 
@@ -132,8 +134,9 @@ Spread spreadOf(const std::vector<double>& values) {
 
 class RowFinder {
   public:
-    explicit RowFinder(const InkMarks& marks)
-        : marks_(marks.marks), tallest_(kLargestHeight * std::max(marks.width, marks.height)),
+    /// `contrast`: of a letter, at least.
+    RowFinder(const InkMarks& marks, double contrast)
+        : marks_(marks.marks), contrast_(contrast), tallest_(kLargestHeight * std::max(marks.width, marks.height)),
           letters_(lettersOf(marks)), near_(marks_, letters_, 24), used_(marks_.size(), false) {}
 
     /// Rows that are sure by `least` or more and as clear as that, of marks that are in none yet; the clearest marks
@@ -163,7 +166,7 @@ class RowFinder {
         const double side = std::max(marks.width, marks.height);
         std::vector<std::size_t> letters;
         for (std::size_t i = 0; i < marks_.size(); ++i) {
-            if (letterLike(marks_[i], side)) {
+            if (letterLike(marks_[i], contrast_, side)) {
                 letters.push_back(i);
             }
         }
@@ -304,6 +307,7 @@ class RowFinder {
     }
 
     const std::vector<InkMark>& marks_;
+    double contrast_;
     double tallest_;
     std::vector<std::size_t> letters_;
     Neighbourhood near_;
@@ -341,7 +345,7 @@ std::vector<TextRow> textRowsOf(const InkMarks& marks, bool strict) {
     constexpr double kSure = 0.62;
     constexpr double kLikely = 0.1;
     constexpr double kStrictly = 0.5; // of contrast
-    RowFinder finder(marks);
+    RowFinder finder(marks, strict ? kLeastStrictContrast : kLeastContrast);
     std::vector<TextRow> rows = finder.rows(kSure, strict ? kStrictly : 0);
     if (rows.empty()) {
         return rows;
