@@ -1,6 +1,7 @@
 #include "widgets/style_gallery.h"
 
 #include "core/figure/layer_edits.h"
+#include "core/figure/style_edits.h"
 #include "core/figure/transfer_edits.h"
 #include "widgets/form_parts.h"
 #include "widgets/style_details.h"
@@ -204,12 +205,14 @@ std::vector<GalleryItem> StyleGallery::projectItems() {
     if (entries == entries_)
         return project_;
     entries_ = entries;
-    for (const StyleEntry& entry : entries) {
+    for (const Style& style : projectStyles(*figure_)) {
+        if (known(style.file))
+            continue;
         GalleryItem item;
         item.home = StyleHome::project;
-        item.card = {entry.id, entry.name.empty() ? entry.id : entry.name, {}, {}, entry.credit, entry.licence};
-        item.file = entry.file;
-        item.ball = styleBall(*entry.sphere, kGalleryBallPixels);
+        item.card = style.card;
+        item.file = style.file;
+        item.ball = styleBall(*style.sphere, kGalleryBallPixels);
         made.push_back(std::move(item));
     }
     return made;

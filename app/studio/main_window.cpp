@@ -157,7 +157,6 @@ void MainWindow::buildMenus() {
     add("file", tr("&File"));
     add("edit", tr("&Edit"));
     add("view", tr("&View"));
-    add("styles", tr("&Styles"));
     menuBar()->addMenu(presets_);
     menuBar()->addMenu(themes_);
     add("styles", tr("&Styles"));

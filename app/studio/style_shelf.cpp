@@ -220,17 +220,25 @@ void StyleShelf::add(const QString& name, std::function<Style(Task&)> make) {
     auto written = std::make_shared<StyleCard>();
     enqueue({name,
              [written, make = std::move(make), library = library_](Task& task) { *written = library.add(make(task)); },
-             [this, written] {
-                 const std::string key = styleKey(StyleHome::mine, written->id);
-                 balls_.erase(key); // of an earlier one of that id
-                 ballsAsked_.erase(key);
-                 mine_.push_back(*written);
-                 std::stable_sort(mine_.begin(), mine_.end(),
-                                  [](const StyleCard& a, const StyleCard& b) { return a.name < b.name; });
-                 Q_EMIT changed();
-                 Q_EMIT added(QString::fromStdString(key));
-                 wantBalls();
-             }});
+             [this, written] { list(*written); }});
+}
+
+void StyleShelf::takeIn(const Style& style) {
+    list(style.card);
+    keep(styleKey(StyleHome::mine, style.card.id), std::make_shared<const Style>(style));
+}
+
+void StyleShelf::list(const StyleCard& card) {
+    const std::string key = styleKey(StyleHome::mine, card.id);
+    balls_.erase(key); // of an earlier one of that id
+    ballsAsked_.erase(key);
+    std::erase_if(mine_, [&](const StyleCard& own) { return own.id == card.id; });
+    mine_.push_back(card);
+    std::stable_sort(mine_.begin(), mine_.end(),
+                     [](const StyleCard& a, const StyleCard& b) { return a.name < b.name; });
+    Q_EMIT changed();
+    Q_EMIT added(QString::fromStdString(key));
+    wantBalls();
 }
 
 void StyleShelf::remove(const std::string& id) {

@@ -48,6 +48,8 @@ class StyleShelf : public QObject {
     void change(const StyleCard& card);
     /// Adds what `make` makes on a worker to the user's own: an import, a copy, a style from an artwork.
     void add(const QString& name, std::function<Style(Task&)> make);
+    /// One that somebody else has added to the library.
+    void takeIn(const Style& style);
     void remove(const std::string& id);
     /// Brings back what was removed last.
     void restore();
@@ -74,6 +76,7 @@ class StyleShelf : public QObject {
     };
     void enqueue(Work work);
     void next();
+    void list(const StyleCard& card);
     void wantBalls();
     void changeSoon();
 

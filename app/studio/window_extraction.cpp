@@ -1,7 +1,6 @@
 #include "app/studio/main_window.h"
 
 #include "app/studio/extraction_dialog.h"
-#include "app/studio/style_shelf.h"
 #include "app/studio/window_gallery.h"
 #include "widgets/figure_preview.h"
 #include "widgets/layer_list.h"
@@ -28,7 +27,7 @@ void MainWindow::extractStyle() {
         connect(transfer_, &TransferEditor1d::selectionChanged, extraction_.data(), follow);
         connect(extraction_.data(), &ExtractionDialog::edited, this,
                 [this](const Edit& edit) { document_->apply(edit); });
-        connect(extraction_.data(), &ExtractionDialog::styleAdded, &styles_->shelf(), &StyleShelf::reload);
+        connect(extraction_.data(), &ExtractionDialog::styleAdded, &styles_->shelf(), &StyleShelf::takeIn);
         follow();
     }
     extraction_->show();

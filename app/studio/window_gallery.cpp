@@ -3,6 +3,7 @@
 #include "app/studio/action_table.h"
 #include "app/studio/studio_document.h"
 #include "app/studio/style_import.h"
+#include "core/figure/style_edits.h"
 #include "core/figure/transfer_edits.h"
 #include "renderer/style_target.h"
 #include "widgets/layer_list.h"
@@ -117,15 +118,10 @@ void WindowGallery::showFigure() {
 
 std::shared_ptr<const Style> WindowGallery::projectStyle(const std::string& id) const {
     const auto figure = parts_.document->figure();
-    const StyleEntry* entry = figure ? figure->findStyle(id) : nullptr;
-    if (!entry || !entry->sphere)
-        return nullptr;
-    auto style = std::make_shared<Style>();
-    style->card = {entry->id, entry->name.empty() ? entry->id : entry->name, {}, {}, entry->credit, entry->licence};
-    style->sphere = entry->sphere;
-    style->file = entry->file;
-    style->texture = entry->texture ? entry->texture->tile : nullptr;
-    return style;
+    for (const Style& style : figure ? projectStyles(*figure) : std::vector<Style>())
+        if (style.card.id == id)
+            return std::make_shared<const Style>(style);
+    return nullptr;
 }
 
 std::shared_ptr<const Style> WindowGallery::style(const std::string& key) {

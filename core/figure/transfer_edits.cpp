@@ -1,12 +1,10 @@
 #include "core/figure/transfer_edits.h"
 
-#include "core/figure/layer_edits.h"
 #include "core/figure/style_edits.h"
 #include "core/style/transfer_function.h"
 
 #include <algorithm>
 #include <cassert>
-#include <filesystem>
 #include <limits>
 
 namespace limner {
