@@ -183,6 +183,7 @@ void StyleGallery::changeEvent(QEvent* event) {
 void StyleGallery::setItems(std::vector<GalleryItem> items) {
     items_ = std::move(items);
     entries_.clear(); // which of the figure's are the project's alone may be another matter now
+    project_.clear();
     project_ = projectItems();
     showItems();
     shown_.clear();

@@ -8,10 +8,12 @@
 #include "widgets/artwork_tool_bar.h"
 #include "widgets/extraction_form.h"
 #include "widgets/figure_preview.h"
+#include "widgets/gallery_list.h"
 #include "widgets/layer_list.h"
 #include "widgets/notice_bar.h"
 #include "widgets/slider_row.h"
 #include "widgets/style_card_form.h"
+#include "widgets/style_gallery.h"
 
 #include <gtest/gtest.h>
 
@@ -157,6 +159,14 @@ TEST(Extraction, AClickAndTwoButtonsPutAStyleOnTheFigure) {
     EXPECT_EQ(entry->credit, "A. Painter");
     ASSERT_TRUE(entry->sphere);
     EXPECT_NEAR(entry->sphere->at(0, 0).r, on.sphere().at(0, 0).r, 1e-3) << "as written, with 16 bits";
+    const auto homes = [&] {
+        std::vector<StyleHome> found;
+        for (const GalleryItem& item : on.window->gallery().list()->items())
+            if (item.card.name == "Painted ball")
+                found.push_back(item.home);
+        return found;
+    };
+    EXPECT_TRUE(pumpUntil([&] { return homes() == std::vector{StyleHome::mine}; }, 20000)) << "in the gallery, once";
     on.window->actions().at("edit.undo")->trigger();
     EXPECT_EQ(on.window->document().figure()->layers, before.layers);
 
