@@ -124,12 +124,9 @@ void StyleGallery::layOut() {
     layout->addWidget(list_, 1);
     layout->addLayout(sources);
     layout->addWidget(details_);
-    QWidget* before = search_;
-    for (QWidget* next : std::initializer_list<QWidget*>{
-             sizes_->buttons()[0], sizes_->buttons()[1], sizes_->buttons()[2], favourites_, tags_, detailsButton_,
-             list_, import_, extract_, details_->onScan(), details_->name(), details_->tags(), details_->credit(),
-             details_->licence(), details_->duplicate(), details_->remove()})
-        setTabOrder(std::exchange(before, next), next);
+    const std::vector<QWidget*> order = tabOrder();
+    for (std::size_t i = 1; i < order.size(); ++i)
+        setTabOrder(order[i - 1], order[i]);
     QEvent palette(QEvent::PaletteChange);
     changeEvent(&palette);
 }
@@ -167,6 +164,26 @@ void StyleGallery::connectParts() {
     connect(import_, &QToolButton::clicked, this, &StyleGallery::importWanted);
     connect(extract_, &QToolButton::clicked, this, &StyleGallery::extractRequested);
     connect(&rest_, &QTimer::timeout, this, [this] { Q_EMIT previewWanted(QString::fromStdString(preview_)); });
+}
+
+std::vector<QWidget*> StyleGallery::tabOrder() const {
+    return {search_,
+            sizes_->buttons()[0],
+            sizes_->buttons()[1],
+            sizes_->buttons()[2],
+            favourites_,
+            tags_,
+            detailsButton_,
+            list_,
+            import_,
+            extract_,
+            details_->onScan(),
+            details_->name(),
+            details_->tags(),
+            details_->credit(),
+            details_->licence(),
+            details_->duplicate(),
+            details_->remove()};
 }
 
 void StyleGallery::changeEvent(QEvent* event) {

@@ -54,6 +54,9 @@ class StyleGallery : public QWidget {
     [[nodiscard]] std::optional<Place> place() const;
 
     [[nodiscard]] GalleryList* list() const { return list_; }
+    /// What the Tab key visits, in this order. A window that orders its panels names all of them: Qt loses the inner
+    /// ones of a panel that is moved as a whole.
+    [[nodiscard]] std::vector<QWidget*> tabOrder() const;
     [[nodiscard]] QLineEdit* search() const { return search_; }
     [[nodiscard]] StyleDetails* details() const { return details_; }
     [[nodiscard]] QToolButton* favourites() const { return favourites_; }

@@ -127,9 +127,10 @@ void MainWindow::buildPanels() {
     transfer->raise();
     resizeDocks({gallery, layers}, {kGalleryWidth, kPanelWidth}, Qt::Horizontal);
     resizeDocks({layers, transfer}, {460, 300}, Qt::Vertical);
-    QWidget* const order[] = {viewport_,         lens_,           gallery_,           layers_->list(),
-                              labels_->search(), labels_->list(), transfer_->canvas()};
-    for (std::size_t i = 1; i < std::size(order); ++i)
+    std::vector<QWidget*> order = gallery_->tabOrder();
+    order.insert(order.begin(), {viewport_, lens_});
+    order.insert(order.end(), {layers_->list(), labels_->search(), labels_->list(), transfer_->canvas()});
+    for (std::size_t i = 1; i < order.size(); ++i)
         setTabOrder(order[i - 1], order[i]);
 }
 
