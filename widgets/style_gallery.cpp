@@ -18,9 +18,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <initializer_list>
 #include <map>
-#include <utility>
 
 namespace limner {
 namespace {
@@ -74,7 +72,6 @@ StyleGallery::StyleGallery(QWidget* parent)
     rest_.setInterval(kRestMs);
     layOut();
     connectParts();
-    setFocusProxy(search_);
     showItems();
     showTarget();
 }
@@ -124,11 +121,18 @@ void StyleGallery::layOut() {
     layout->addWidget(list_, 1);
     layout->addLayout(sources);
     layout->addWidget(details_);
-    const std::vector<QWidget*> order = tabOrder();
-    for (std::size_t i = 1; i < order.size(); ++i)
-        setTabOrder(order[i - 1], order[i]);
     QEvent palette(QEvent::PaletteChange);
     changeEvent(&palette);
+}
+
+std::vector<QWidget*> StyleGallery::tabOrder() const {
+    std::vector<QWidget*> order{search_};
+    const auto sizes = sizes_->buttons();
+    order.insert(order.end(), sizes.begin(), sizes.end());
+    order.insert(order.end(), {favourites_, tags_, detailsButton_, list_, import_, extract_, details_->onScan(),
+                               details_->name(), details_->tags(), details_->credit(), details_->licence(),
+                               details_->duplicate(), details_->remove()});
+    return order;
 }
 
 void StyleGallery::connectParts() {
@@ -166,26 +170,6 @@ void StyleGallery::connectParts() {
     connect(&rest_, &QTimer::timeout, this, [this] { Q_EMIT previewWanted(QString::fromStdString(preview_)); });
 }
 
-std::vector<QWidget*> StyleGallery::tabOrder() const {
-    return {search_,
-            sizes_->buttons()[0],
-            sizes_->buttons()[1],
-            sizes_->buttons()[2],
-            favourites_,
-            tags_,
-            detailsButton_,
-            list_,
-            import_,
-            extract_,
-            details_->onScan(),
-            details_->name(),
-            details_->tags(),
-            details_->credit(),
-            details_->licence(),
-            details_->duplicate(),
-            details_->remove()};
-}
-
 void StyleGallery::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange && sizes_) {
         const QColor ink = palette().color(QPalette::ButtonText);
@@ -200,7 +184,6 @@ void StyleGallery::changeEvent(QEvent* event) {
 void StyleGallery::setItems(std::vector<GalleryItem> items) {
     items_ = std::move(items);
     entries_.clear(); // which of the figure's are the project's alone may be another matter now
-    project_.clear();
     project_ = projectItems();
     showItems();
     shown_.clear();

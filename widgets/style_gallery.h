@@ -45,6 +45,8 @@ class StyleGallery : public QWidget {
     void show(const std::string& key);
 
     void setBallSize(BallSize size);
+    /// What the tab key goes through, in that order.
+    [[nodiscard]] std::vector<QWidget*> tabOrder() const;
     /// Where a click puts a style; nothing where it would change nothing.
     struct Place {
         std::shared_ptr<const Figure> figure;
@@ -54,9 +56,6 @@ class StyleGallery : public QWidget {
     [[nodiscard]] std::optional<Place> place() const;
 
     [[nodiscard]] GalleryList* list() const { return list_; }
-    /// What the Tab key visits, in this order. A window that orders its panels names all of them: Qt loses the inner
-    /// ones of a panel that is moved as a whole.
-    [[nodiscard]] std::vector<QWidget*> tabOrder() const;
     [[nodiscard]] QLineEdit* search() const { return search_; }
     [[nodiscard]] StyleDetails* details() const { return details_; }
     [[nodiscard]] QToolButton* favourites() const { return favourites_; }

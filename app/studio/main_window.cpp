@@ -33,7 +33,6 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include <iterator>
 #include <utility>
 
 namespace limner {
@@ -127,8 +126,9 @@ void MainWindow::buildPanels() {
     transfer->raise();
     resizeDocks({gallery, layers}, {kGalleryWidth, kPanelWidth}, Qt::Horizontal);
     resizeDocks({layers, transfer}, {460, 300}, Qt::Vertical);
-    std::vector<QWidget*> order = gallery_->tabOrder();
-    order.insert(order.begin(), {viewport_, lens_});
+    std::vector<QWidget*> order{viewport_, lens_};
+    const std::vector<QWidget*> ofGallery = gallery_->tabOrder();
+    order.insert(order.end(), ofGallery.begin(), ofGallery.end());
     order.insert(order.end(), {layers_->list(), labels_->search(), labels_->list(), transfer_->canvas()});
     for (std::size_t i = 1; i < order.size(); ++i)
         setTabOrder(order[i - 1], order[i]);

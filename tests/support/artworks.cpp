@@ -181,15 +181,6 @@ ArtPicture withLetters(ArtPicture picture) {
     return picture;
 }
 
-void writeArt(const ArtPicture& picture, const std::filesystem::path& file) {
-    OIIO::ImageSpec spec(picture.width, picture.height, 4, OIIO::TypeDesc::UINT8);
-    spec.attribute("oiio:UnassociatedAlpha", 1);
-    const auto output = OIIO::ImageOutput::create(file.string());
-    output->open(file.string(), spec);
-    output->write_image(OIIO::TypeDesc::FLOAT, picture.pixels.data());
-    output->close();
-}
-
 ArtPicture lineDrawing() {
     ArtPicture picture = withNoise({300, 300, std::vector<Rgba>(90'000, kGround)}, 0.02);
     cv::Mat mat(300, 300, CV_32FC4, picture.pixels.data());

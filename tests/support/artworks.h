@@ -7,7 +7,6 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -48,9 +47,6 @@ ArtPicture withLetters(ArtPicture picture);
 
 /// Paper with a circle of radius 100 and a few lines inside it, and no tone: 300 pixels square.
 ArtPicture lineDrawing();
-
-/// As an 8-bit RGBA picture.
-void writeArt(const ArtPicture& picture, const std::filesystem::path& file);
 
 /// RMSE over the channels between two spheres where `covered` says so and the texel lies on the disk.
 double sphereError(const LitSphere& a, const LitSphere& b, const Mask& covered);

@@ -1,12 +1,11 @@
-#include "core/style/extraction/extract.h"
-
 #include "core/base/error.h"
 #include "core/base/task.h"
-#include "core/style/extraction/artwork.h"
-#include "core/style/extraction/find.h"
+#include "core/style/extraction/extract.h"
+#include "core/style/extraction/rim.h"
 
 #include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,108 +14,184 @@
 namespace limner {
 namespace {
 
-constexpr int kLargest = 1024;
-constexpr int kLeast = 8; ///< pixels across: less is no ball
+namespace fs = std::filesystem;
 
-/// Where the ball is: a circle in pixels of the picture.
+/// Of the sphere's picture.
+constexpr int kLargest = 1024;
+/// A disk of fewer pixels across holds no shading to speak of.
+constexpr double kSmallest = 16;
+/// Longer side of what the disk is looked for in.
+constexpr int kSide = 512;
+
+constexpr const char* kWhat = "cannot import the matcap";
+
+/// On the artwork.
 struct Disk {
     glm::dvec2 centre{0, 0};
     double radius = 0;
 };
 
-/// The circle around what is opaque, where something clear surrounds it and it fills that circle.
-std::optional<Disk> diskByAlpha(const ArtPicture& picture) {
-    glm::ivec2 low(picture.width, picture.height);
-    glm::ivec2 high(-1, -1);
-    double opaque = 0;
-    for (int y = 0; y < picture.height; ++y) {
-        for (int x = 0; x < picture.width; ++x) {
-            const float alpha = picture.at(x, y).a;
-            opaque += alpha;
-            if (alpha >= 0.5F) {
-                low = {std::min(low.x, x), std::min(low.y, y)};
-                high = {std::max(high.x, x), std::max(high.y, y)};
-            }
+Disk inscribed(const Artwork& artwork) {
+    return {glm::dvec2(artwork.width(), artwork.height()) * 0.5, std::min(artwork.width(), artwork.height()) * 0.5};
+}
+
+/// The tone that nearly all of the border has; absent where the ground is no plain one.
+std::optional<glm::vec4> plainGround(const Tones& tones) {
+    std::vector<glm::vec4> border;
+    for (int x = 0; x < tones.width; ++x) {
+        border.push_back(tones.at(x, 0));
+        border.push_back(tones.at(x, tones.height - 1));
+    }
+    for (int y = 0; y < tones.height; ++y) {
+        border.push_back(tones.at(0, y));
+        border.push_back(tones.at(tones.width - 1, y));
+    }
+    glm::vec4 middle(0);
+    for (int c = 0; c < 4; ++c) {
+        std::vector<float> values;
+        for (const glm::vec4& tone : border) {
+            values.push_back(tone[c]);
+        }
+        std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+        middle[c] = values[values.size() / 2];
+    }
+    constexpr float kPlain = 0.05F;
+    // A ball that touches the border, or is cut off by it, leaves most of it.
+    constexpr double kMost = 0.7;
+    const auto like = std::count_if(border.begin(), border.end(),
+                                    [&](const glm::vec4& tone) { return glm::length(tone - middle) < kPlain; });
+    return static_cast<double>(like) > kMost * static_cast<double>(border.size()) ? std::optional(middle)
+                                                                                  : std::nullopt;
+}
+
+/// The circle of what differs from the ground, in pixels of the tones; absent where that is not round.
+std::optional<Oval> roundPatch(const Tones& tones, const glm::vec4& ground) {
+    constexpr float kDiffers = 0.06F;
+    cv::Mat differs(tones.height, tones.width, CV_8U);
+    for (int y = 0; y < tones.height; ++y) {
+        for (int x = 0; x < tones.width; ++x) {
+            differs.at<std::uint8_t>(y, x) = glm::length(tones.at(x, y) - ground) > kDiffers ? 255 : 0;
         }
     }
-    const glm::dvec2 size(high.x + 1 - low.x, high.y + 1 - low.y);
-    const double share = opaque / (size.x * size.y);
-    // A disk covers 0.785 of its square; a picture with alpha that is no disk is taken as a square one.
-    const bool round = high.x >= low.x && std::abs(size.x - size.y) <= 0.05 * size.x && share > 0.6 && share < 0.85;
-    if (!round) {
+    cv::morphologyEx(differs, differs, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_ELLIPSE, {3, 3}));
+    std::vector<std::vector<cv::Point>> outlines;
+    cv::findContours(differs, outlines, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
+    const auto largest = std::max_element(outlines.begin(), outlines.end(), [](const auto& a, const auto& b) {
+        return cv::contourArea(a) < cv::contourArea(b);
+    });
+    if (largest == outlines.end() || largest->size() < 12) {
         return std::nullopt;
     }
-    return Disk{glm::dvec2(low) + size / 2.0, (size.x + size.y) / 4};
+    cv::Point2f centre;
+    float radius = 0;
+    cv::minEnclosingCircle(*largest, centre, radius);
+    // Where a part of the ball has the ground's tone, its hull still has most of the circle.
+    std::vector<cv::Point> hull;
+    cv::convexHull(*largest, hull);
+    constexpr double kRound = 0.88;
+    if (cv::contourArea(hull) < kRound * CV_PI * radius * radius) {
+        return std::nullopt;
+    }
+    Oval oval;
+    oval.centre = {centre.x + 0.5, centre.y + 0.5};
+    oval.xx = oval.yy = radius + 0.5;
+    return oval;
 }
 
-/// A circle whose edge the picture shows, a little smaller than the picture; else the one that touches its sides.
-Disk diskByEdge(const ArtCut& cut) {
-    const glm::dvec2 size(cut.picture.width, cut.picture.height);
-    const Disk inscribed{size / 2.0, std::min(size.x, size.y) / 2};
-    const std::optional<Ellipse> snapped =
-        snapEllipse(cut, {cut.toArtwork(inscribed.centre), glm::dvec2(0.95 * inscribed.radius * cut.scale), 0});
-    if (!snapped) {
-        return inscribed;
+/// The disk that differs from a plain ground with a sharp edge almost all around.
+std::optional<Disk> clearDisk(const Tones& tones) {
+    const auto ground = plainGround(tones);
+    const auto patch = ground ? roundPatch(tones, *ground) : std::nullopt;
+    if (!patch) {
+        return std::nullopt;
     }
-    const Disk found{cut.toCut(snapped->centre), (snapped->semiAxes.x + snapped->semiAxes.y) / (2 * cut.scale)};
-    const bool round = std::abs(snapped->semiAxes.x - snapped->semiAxes.y) < 0.04 * snapped->semiAxes.x;
-    const bool inside = glm::distance(found.centre, inscribed.centre) < 0.06 * inscribed.radius &&
-                        found.radius > 0.85 * inscribed.radius && found.radius < 1.02 * inscribed.radius;
-    return round && inside ? found : inscribed;
+    RimSearch search;
+    search.reaches = {0.1, 0.05, 0.03};
+    search.circle = true;
+    const auto rim = followRim(tones, *patch, search);
+    constexpr double kSupport = 0.7;
+    constexpr double kWobble = 0.02;
+    if (!rim || rim->support < kSupport || rim->wobble > kWobble) {
+        return std::nullopt;
+    }
+    return Disk{tones.origin + rim->oval.centre * tones.scale, rim->oval.radius() * tones.scale};
 }
 
-/// Bilinear between pixel centres, held at the borders; clear pixels do not tint their neighbours.
-Rgba sample(const ArtPicture& picture, glm::dvec2 place) {
-    const double u = std::clamp(place.x - 0.5, 0.0, picture.width - 1.0);
-    const double v = std::clamp(place.y - 0.5, 0.0, picture.height - 1.0);
-    const int x = std::min(static_cast<int>(u), std::max(0, picture.width - 2));
-    const int y = std::min(static_cast<int>(v), std::max(0, picture.height - 2));
-    double alpha = 0;
-    glm::dvec3 colour(0, 0, 0);
-    for (int k = 0; k < 4; ++k) {
-        const int px = std::min(x + k % 2, picture.width - 1);
-        const int py = std::min(y + k / 2, picture.height - 1);
-        const double weight = std::max(0.0, 1 - std::abs(u - px)) * std::max(0.0, 1 - std::abs(v - py));
-        const Rgba& c = picture.at(px, py);
-        alpha += weight * c.a;
-        colour += weight * c.a * glm::dvec3(c.r, c.g, c.b);
+Disk diskOf(const Artwork& artwork) {
+    const Disk filling = inscribed(artwork);
+    const Tones tones = tonesOf(artwork.reduced(), {0, 0}, {artwork.width(), artwork.height()}, kSide);
+    auto found = clearDisk(tones);
+    if (!found) {
+        return filling;
     }
-    colour = alpha > 0 ? colour / alpha : colour;
-    return {static_cast<float>(colour.x), static_cast<float>(colour.y), static_cast<float>(colour.z),
-            static_cast<float>(std::min(1.0, alpha))};
+    // What nearly fills the square is meant to.
+    constexpr double kNearly = 0.03;
+    const glm::dvec2 apart = found->centre - filling.centre;
+    if (artwork.width() == artwork.height() && std::hypot(apart.x, apart.y) < kNearly * filling.radius &&
+        std::abs(found->radius - filling.radius) < kNearly * filling.radius) {
+        return filling;
+    }
+    found->radius -= 0.5; // the pixels along the edge are half ground
+    return *found;
+}
+
+/// The square around the disk, averaged over areas or read between pixels: exact where the disk lies on whole pixels.
+std::vector<Rgba> pixelsOf(const Artwork& artwork, const Disk& disk, int size, Task& task) {
+    const glm::dvec2 corner = disk.centre - glm::dvec2(disk.radius);
+    const double side = 2 * disk.radius;
+    const auto x = static_cast<int>(std::floor(corner.x + 1e-6));
+    const auto y = static_cast<int>(std::floor(corner.y + 1e-6));
+    const auto reach = [&](double from, int whole) { return static_cast<int>(std::ceil(from + side - 1e-6)) - whole; };
+    const ArtRect rect{x, y, reach(corner.x, x), reach(corner.y, y)};
+    const double step = side / size; // artwork pixels
+    const ArtCut cut = artwork.cut(rect, static_cast<int>(std::lround(std::max(rect.width, rect.height) / step)), task);
+    const ArtPicture& picture = cut.picture;
+    if (picture.width == size && picture.height == size) {
+        return picture.pixels;
+    }
+    const auto texel = [&](int column, int row) -> const Rgba& {
+        return picture.at(std::clamp(column, 0, picture.width - 1), std::clamp(row, 0, picture.height - 1));
+    };
+    std::vector<Rgba> pixels;
+    for (int row = 0; row < size; ++row) {
+        for (int column = 0; column < size; ++column) {
+            const glm::dvec2 at = cut.toCut(corner + (glm::dvec2(column, row) + 0.5) * step) - 0.5;
+            const auto left = static_cast<int>(std::floor(at.x));
+            const auto top = static_cast<int>(std::floor(at.y));
+            Rgba sum{0, 0, 0, 0};
+            for (int k = 0; k < 4; ++k) {
+                const Rgba& p = texel(left + k % 2, top + k / 2);
+                const double across = k % 2 == 0 ? left + 1 - at.x : at.x - left;
+                const double down = k / 2 == 0 ? top + 1 - at.y : at.y - top;
+                const auto share = static_cast<float>(across * down) * p.a;
+                sum = {sum.r + share * p.r, sum.g + share * p.g, sum.b + share * p.b, sum.a + share};
+            }
+            const float scale = sum.a > 0 ? 1 / sum.a : 0;
+            pixels.push_back({std::min(1.0F, sum.r * scale), std::min(1.0F, sum.g * scale),
+                              std::min(1.0F, sum.b * scale), std::min(1.0F, sum.a)});
+        }
+    }
+    return pixels;
 }
 
 } // namespace
 
-SpherePtr importMatcap(const std::filesystem::path& file, Task& task) {
-    const Artwork artwork(file, task);
-    const ArtCut& cut = artwork.reduced();
+SpherePtr importMatcap(const fs::path& file, Task& task) {
     const auto fail = [&](const std::string& why, const std::string& remedy) {
-        throw Error(ErrorKind::badInput, {"cannot import the matcap", file.string(), why, remedy});
+        throw Error(ErrorKind::badInput, {kWhat, file.string(), why, remedy});
     };
-    if (std::min(cut.picture.width, cut.picture.height) < kLeast) {
-        fail("it is " + std::to_string(cut.picture.width) + " x " + std::to_string(cut.picture.height) + " pixels",
-             "use a picture of a ball, 64 pixels or more across");
+    const Artwork artwork(file, task);
+    const auto& shown = artwork.reduced().picture.pixels;
+    if (std::all_of(shown.begin(), shown.end(), [](const Rgba& p) { return p.a < 0.02F; })) {
+        fail("all of it is clear", "use a picture of a shaded ball");
     }
-    const bool clear =
-        std::all_of(cut.picture.pixels.begin(), cut.picture.pixels.end(), [](const Rgba& c) { return c.a < 0.5F; });
-    if (clear) {
-        fail("it is clear all over", "use a picture of a shaded ball");
+    const Disk disk = diskOf(artwork);
+    if (2 * disk.radius < kSmallest) {
+        fail("its ball is less than " + std::to_string(static_cast<int>(kSmallest)) + " pixels across",
+             "use a larger picture, 512 pixels are plenty");
     }
-    const std::optional<Disk> byAlpha = diskByAlpha(cut.picture);
-    const Disk disk = byAlpha ? *byAlpha : diskByEdge(cut);
-    const int size = std::clamp(static_cast<int>(std::lround(2 * disk.radius)), kLeast, kLargest);
-    std::vector<Rgba> pixels;
-    for (int y = 0; y < size; ++y) {
-        for (int x = 0; x < size; ++x) {
-            const glm::dvec2 onUnit((2.0 * x + 1) / size - 1, (2.0 * y + 1) / size - 1);
-            Rgba texel = sample(cut.picture, disk.centre + onUnit * disk.radius);
-            // Where alpha only cuts the ball out, it is not a style's opacity.
-            texel.a = byAlpha ? 1 : texel.a;
-            pixels.push_back(texel);
-        }
-    }
-    return std::make_shared<const LitSphere>(size, std::move(pixels));
+    const int size = std::clamp(static_cast<int>(std::lround(2 * disk.radius)), 1, kLargest);
+    return std::make_shared<const LitSphere>(size, pixelsOf(artwork, disk, size, task));
 }
 
 } // namespace limner

@@ -85,10 +85,10 @@ struct Seed {
 /// Whether there are more strokes a little further away on either side, as in hatching.
 bool hasCompany(const InkPlane& plane, glm::dvec2 place, glm::dvec2 across, const Crossing& crossing) {
     constexpr double kFrom = 4;
-    constexpr double kTo = 18;
+    const double far = 0.02 * std::max(plane.width, plane.height);
     const double ground = std::min(crossing.left, crossing.right);
     const double dark = ground - 0.4 * (ground - crossing.ink);
-    for (double away = kFrom; away <= kTo; away += 1) {
+    for (double away = kFrom; away <= far; away += 1) {
         for (const double side : {-1.0, 1.0}) {
             if (plane.between(place + across * (crossing.offset + side * away)) < dark) {
                 return true;

@@ -28,6 +28,7 @@ struct Ray {
     int found = 0;     ///< which of them is on the ring
     double offset = 0; ///< of the edge from the foot, pixels
     float strength = 0;
+    double clear = 1;  ///< 0: the tones beside the edge change as much as across it, so that it seems displaced
     bool seen = false; ///< within the picture
 };
 
@@ -165,6 +166,10 @@ void refinePlaces(std::vector<Ray>& rays, const Grain& grain) {
             shift = bend < 0 ? std::clamp(0.5 * (s[at - 1] - s[at + 1]) / bend, -0.5, 0.5) : 0.0;
         }
         ray.strength = ray.seen ? s[at] : 0;
+        const auto beside = static_cast<std::size_t>(grain.window);
+        const float inner = at >= beside ? s[at - beside] : s.front();
+        const float outer = at + beside < s.size() ? s[at + beside] : s.back();
+        ray.clear = std::clamp(1 - std::max(inner, outer) / static_cast<double>(std::max(s[at], 1e-6F)), 0.0, 1.0);
         ray.offset = (static_cast<double>(at) + shift - grain.reach) * grain.step;
     }
 }
@@ -250,8 +255,10 @@ Rim lookAround(const Tones& tones, const Oval& oval, double reach, const RimSear
     const Fit fit(rays, search.circle);
     const double radius = oval.radius();
     std::vector<double> plain(rays.size());
-    std::transform(rays.begin(), rays.end(), plain.begin(),
-                   [&](const Ray& ray) { return ray.strength / (ray.strength + threshold); });
+    std::transform(rays.begin(), rays.end(), plain.begin(), [&](const Ray& ray) {
+        const double square = static_cast<double>(ray.strength) * ray.strength;
+        return square / (square + static_cast<double>(threshold) * threshold) * (0.05 + ray.clear * ray.clear);
+    });
     std::vector<double> weights = plain;
     std::array<double, 5> change{};
     for (int i = 0; i < 6; ++i) {
@@ -297,7 +304,7 @@ bool sound(const Oval& oval, const Oval& rough) {
 std::optional<Rim> followRim(const Tones& tones, const Oval& rough, const RimSearch& search) {
     constexpr double kLeastRadius = 3;
     if (tones.pixels.empty() || !std::isfinite(rough.centre.x + rough.centre.y + rough.xx + rough.xy + rough.yy) ||
-        rough.semiAxes().y < kLeastRadius) {
+        rough.semiAxes().y < kLeastRadius || rough.semiAxes().x > 2.0 * std::max(tones.width, tones.height)) {
         return std::nullopt;
     }
     Rim rim{rough};

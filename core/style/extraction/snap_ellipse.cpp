@@ -27,7 +27,7 @@ std::optional<Ellipse> snapEllipse(const ArtCut& cut, const Ellipse& rough) {
         return std::nullopt;
     }
     Tones coarse = fine;
-    while (longer / coarse.scale > 2 * kCoarseRadius) {
+    while (longer / coarse.scale > 2 * kCoarseRadius && std::min(coarse.width, coarse.height) >= kCoarseRadius) {
         coarse = halved(coarse);
     }
     const auto found = followRim(coarse, ovalOf(rough, coarse), {{0.2, 0.12, 0.06}, 180});
