@@ -135,6 +135,24 @@ void dropBorder(const NormalField& normals, Mask& pixels) {
     }
 }
 
+/// Letters and lines over the cut, found among their surroundings: a word that the form cuts off is no row of letters
+/// any more, and a line's end no line.
+Mask letteringOver(const Artwork& artwork, const ArtCut& cut, const Box& box, Task& task) {
+    const glm::dvec2 margin = 0.5 * (box.high - box.low);
+    const ArtCut wider = artwork.cut(around({box.low - margin, box.high + margin}), kLongest, task);
+    const Mask found = findLettering(wider);
+    Mask mask{cut.picture.width, cut.picture.height, std::vector<std::uint8_t>(cut.picture.pixels.size(), 0)};
+    for (int y = 0; y < mask.height; ++y) {
+        for (int x = 0; x < mask.width; ++x) {
+            const glm::dvec2 place = glm::floor(wider.toCut(cut.toArtwork({x + 0.5, y + 0.5})));
+            const bool within = place.x >= 0 && place.y >= 0 && place.x < found.width && place.y < found.height;
+            const bool letter = within && found.has(static_cast<int>(place.x), static_cast<int>(place.y));
+            mask.values[mask.offset(x, y)] = letter ? 255 : 0;
+        }
+    }
+    return mask;
+}
+
 Looked look(const Artwork& artwork, const ExtractionRequest& request, Task& task) {
     const auto* ellipse = std::get_if<Ellipse>(&request.form);
     const auto* region = std::get_if<FormRegion>(&request.form);
@@ -166,7 +184,7 @@ Looked look(const Artwork& artwork, const ExtractionRequest& request, Task& task
         leaveOut(overCut(request.ignored, artwork, looked.cut));
     }
     if (request.skipLettering && !picture.empty()) {
-        leaveOut(findLettering(looked.cut));
+        leaveOut(letteringOver(artwork, looked.cut, *box, task));
     }
     return looked;
 }
