@@ -70,12 +70,13 @@ using Profile = std::unique_ptr<void, CloseProfile>;
 struct DeleteTransform {
     void operator()(void* transform) const { cmsDeleteTransform(transform); }
 };
+using Handle = std::unique_ptr<void, DeleteTransform>;
 
 /// What Little CMS takes and gives.
 enum class Samples { bytes, words, floats };
 
 /// Whole samples where that loses nothing: Little CMS is much faster with them. Of 16-bit RGB and grey it makes a table
-/// that is coarse near black and at the edge of sRGB; inks come from a table anyway.
+/// that is coarse near black and at the edge of sRGB (`Sums` is better and as fast); inks come from a table anyway.
 Samples samplesFor(const PictureChannels& channels) {
     if (channels.steps == 255 && !channels.premultiplied) {
         return Samples::bytes;
@@ -115,6 +116,105 @@ void pack(std::span<const float> texels, const PictureChannels& channels, Sample
 
 } // namespace
 
+namespace {
+
+/// A transform of grey or RGB to linear sRGB in which every channel adds its share, whatever the others are: what a
+/// profile of curves and a matrix does, black point and all. Read from Little CMS once, as tables.
+class Sums {
+  public:
+    /// Absent where the profile is of another kind.
+    static std::optional<Sums> of(void* toLinear, std::size_t inks) {
+        Sums sums;
+        const auto run = [&](const std::array<float, 3>& from) {
+            std::array<float, 3> to{};
+            cmsDoTransform(toLinear, from.data(), to.data(), 1);
+            return to;
+        };
+        sums.zero_ = run({0, 0, 0});
+        for (std::size_t ink = 0; ink < inks; ++ink) {
+            for (std::size_t i = 0; i <= kSteps; ++i) {
+                std::array<float, 3> from{};
+                from[ink] = static_cast<float>(i) / kSteps;
+                std::array<float, 3> to = run(from);
+                for (std::size_t c = 0; c < 3; ++c) {
+                    to[c] -= sums.zero_[c];
+                }
+                sums.shares_[ink].push_back(to);
+            }
+        }
+        for (int i = 0; i < 64; ++i) {
+            const auto level = [&](int times) { return static_cast<float>(i * times % 64) / 63; };
+            const std::array<float, 3> from{level(1), level(23), level(41)};
+            const std::array<float, 3> to = run(from);
+            const std::array<float, 3> sum = sums.linear(from.data(), inks);
+            for (std::size_t c = 0; c < 3; ++c) {
+                if (!(std::abs(sum[c] - to[c]) < kExact)) {
+                    return std::nullopt;
+                }
+            }
+        }
+        return sums;
+    }
+
+    /// `samples`: 0..1.
+    [[nodiscard]] std::array<float, 3> encoded(const float* samples, std::size_t inks) const {
+        std::array<float, 3> colour = linear(samples, inks);
+        for (float& value : colour) {
+            value = encodedByTable(clampUnit(value));
+        }
+        return colour;
+    }
+
+  private:
+    static constexpr std::size_t kSteps = 4096;
+    static constexpr float kExact = 1e-4F;
+
+    [[nodiscard]] std::array<float, 3> linear(const float* samples, std::size_t inks) const {
+        std::array<float, 3> sum = zero_;
+        for (std::size_t ink = 0; ink < inks; ++ink) {
+            const float at = samples[ink] * kSteps;
+            const std::size_t below = std::min(static_cast<std::size_t>(at), kSteps - 1);
+            const float beyond = at - static_cast<float>(below);
+            const auto& low = shares_[ink][below];
+            const auto& high = shares_[ink][below + 1];
+            for (std::size_t c = 0; c < 3; ++c) {
+                sum[c] += low[c] + (high[c] - low[c]) * beyond;
+            }
+        }
+        return sum;
+    }
+
+    static float encodedByTable(float value) {
+        constexpr std::size_t kCodes = 16384;
+        static const std::vector<float> codes = [] {
+            std::vector<float> table;
+            for (std::size_t i = 0; i <= kCodes; ++i) {
+                table.push_back(encodeSrgb(static_cast<float>(i) / kCodes));
+            }
+            return table;
+        }();
+        const float at = value * kCodes;
+        const std::size_t below = std::min(static_cast<std::size_t>(at), kCodes - 1);
+        return codes[below] + (codes[below + 1] - codes[below]) * (at - static_cast<float>(below));
+    }
+
+    std::array<float, 3> zero_{};
+    std::array<std::vector<std::array<float, 3>>, 3> shares_;
+};
+
+/// sRGB without its curve.
+Profile linearSrgb() {
+    const cmsCIExyY white{0.3127, 0.3290, 1};
+    const cmsCIExyYTRIPLE primaries{{0.64, 0.33, 1}, {0.30, 0.60, 1}, {0.15, 0.06, 1}};
+    cmsToneCurve* straight = cmsBuildGamma(nullptr, 1);
+    cmsToneCurve* const curves[] = {straight, straight, straight};
+    Profile profile(cmsCreateRGBProfile(&white, &primaries, curves));
+    cmsFreeToneCurve(straight);
+    return profile;
+}
+
+} // namespace
+
 /// From the profile's colours to sRGB.
 class PictureColour::Transform {
   public:
@@ -126,12 +226,22 @@ class PictureColour::Transform {
         }
         std::unique_ptr<Transform> transform(new Transform);
         transform->samples_ = samplesFor(channels);
-        const Profile srgb(cmsCreate_sRGBProfile());
         // Black stays black: what a scan's profile calls black is the darkest that its paper holds.
         constexpr cmsUInt32Number kFlags = cmsFLAGS_NOCACHE | cmsFLAGS_BLACKPOINTCOMPENSATION | cmsFLAGS_HIGHRESPRECALC;
-        transform->handle_.reset(cmsCreateTransform(
-            profile.get(), inputFormat(channels.colour, transform->samples_), srgb.get(),
-            transform->samples_ == Samples::floats ? TYPE_RGB_FLT : TYPE_RGB_16, INTENT_RELATIVE_COLORIMETRIC, kFlags));
+        const auto make = [&](const Profile& to, Samples samples) {
+            return cmsCreateTransform(profile.get(), inputFormat(channels.colour, samples), to.get(),
+                                      samples == Samples::floats ? TYPE_RGB_FLT : TYPE_RGB_16,
+                                      INTENT_RELATIVE_COLORIMETRIC, kFlags);
+        };
+        if (transform->samples_ == Samples::floats) {
+            const Handle toLinear(make(linearSrgb(), Samples::floats));
+            transform->sums_ = toLinear == nullptr ? std::nullopt : Sums::of(toLinear.get(), inksOf(channels.colour));
+            if (transform->sums_) {
+                return transform;
+            }
+            transform->samples_ = channels.steps > 0 ? Samples::words : Samples::floats;
+        }
+        transform->handle_.reset(make(Profile(cmsCreate_sRGBProfile()), transform->samples_));
         return transform->handle_ == nullptr ? nullptr : std::move(transform);
     }
 
@@ -140,6 +250,15 @@ class PictureColour::Transform {
         std::array<float, kChunk * 4> in{}; // large enough for whole samples too
         std::array<float, kChunk * 3> rgb{};
         pack(channels, texels, in.data());
+        if (sums_) {
+            const std::size_t inks = inksOf(channels.colour);
+            for (std::size_t i = 0; i < out.size(); ++i) {
+                const auto colour = sums_->encoded(in.data() + i * inks, inks);
+                out[i] = {colour[0], colour[1], colour[2],
+                          alphaOf(texels.data() + i * static_cast<std::size_t>(channels.count), channels)};
+            }
+            return;
+        }
         cmsDoTransform(handle_.get(), in.data(), rgb.data(), static_cast<cmsUInt32Number>(out.size()));
         const auto* words = reinterpret_cast<const std::uint16_t*>(rgb.data());
         for (std::size_t i = 0; i < out.size(); ++i) {
@@ -174,7 +293,8 @@ class PictureColour::Transform {
     }
 
     Samples samples_ = Samples::floats;
-    std::unique_ptr<void, DeleteTransform> handle_;
+    Handle handle_;
+    std::optional<Sums> sums_; ///< instead of `handle_`
 };
 
 namespace {

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/style/picture_colour.h"
+#include "core/style/picture_promises.h"
 
 #include <OpenImageIO/imageio.h>
 #include <tbb/blocked_range.h>
@@ -13,7 +14,6 @@
 #include <cmath>
 #include <cstdint>
 #include <exception>
-#include <fstream>
 #include <optional>
 #include <vector>
 
@@ -56,15 +56,6 @@ bool unpackedWhole(const OIIO::ImageInput& input, const OIIO::ImageSpec& spec) {
 /// Whether a file must be asked for its inks, lest they come as RGB by a rule of the reader's own.
 bool holdsInks(const OIIO::ImageInput& input, const OIIO::ImageSpec& spec) {
     return isFormat(input, "tiff") && spec.get_int_attribute("tiff:PhotometricInterpretation") == kTiffSeparated;
-}
-
-/// The reader of Photoshop files takes what is not there for the alpha of CMYK. It does not tell the colour mode, which
-/// is two bytes at 24: 4 is CMYK.
-bool losesAlpha(const OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const fs::path& file) {
-    std::array<char, 26> header{};
-    std::ifstream stream(file, std::ios::binary);
-    return isFormat(input, "psd") && spec.nchannels == 4 && stream.read(header.data(), header.size()) &&
-           header[24] == 0 && header[25] == 4;
 }
 
 PictureChannels channelsOf(const OIIO::ImageSpec& spec, bool inks) {
@@ -181,6 +172,10 @@ PictureRows::PictureRows(fs::path file, Words words) : reader_(std::make_unique<
     Reader& r = *reader_;
     r.file = std::move(file);
     r.words = std::move(words);
+    const PicturePromises promises = promisesOf(r.file);
+    if (!promises.broken.empty()) {
+        fail(promises.broken, "the file is damaged; get it again");
+    }
     r.open(false);
     const bool inks = r.input != nullptr && holdsInks(*r.input, r.spec);
     if (inks) {
@@ -190,6 +185,10 @@ PictureRows::PictureRows(fs::path file, Words words) : reader_(std::make_unique<
         std::error_code unknown;
         fail(fs::exists(r.file, unknown) ? OIIO::geterror() : (OIIO::geterror(), std::string("no such file")),
              r.words.instead);
+    }
+    // The reader of Photoshop files takes what is not there for the alpha of CMYK.
+    if (promises.photoshopInks && r.spec.nchannels == 4) {
+        fail("CMYK with transparency cannot be read from a Photoshop file", "flatten it, or save it as RGB");
     }
     checkHeader();
     // Such a file's inks have become RGB already.
@@ -206,9 +205,6 @@ void PictureRows::checkHeader() const {
     // RGBA and as many extra ones; more is a damaged header.
     if (spec.nchannels < 1 || spec.nchannels > 8 || spec.depth > 1) {
         fail(std::to_string(spec.nchannels) + " channels are not a picture", "use a grey, RGB or RGBA picture");
-    }
-    if (losesAlpha(*reader_->input, spec, reader_->file)) {
-        fail("CMYK with transparency cannot be read from a Photoshop file", "flatten it, or save it as RGB");
     }
     const auto bytesOf = [](int width, int height, std::size_t pixel) {
         return static_cast<double>(width) * height * static_cast<double>(pixel);

@@ -34,7 +34,8 @@ struct ArtCut {
 /// A scanned artwork of up to 30,000 x 30,000 pixels and more: any format OpenImageIO reads, 8 or 16 bits or float,
 /// grey, RGB or CMYK, brought to sRGB by the profile that it carries. Read once, band by band; kept: a reduced copy,
 /// and all of it (16 bits a channel) where it has at most `kKeptPixels`; of a larger one, cuts are read from the file
-/// again. Immutable; all functions may be called from any thread.
+/// again, but for those that are much coarser than the reduced copy, which come from it. Immutable; all functions may
+/// be called from any thread.
 class Artwork {
   public:
     static constexpr int kReducedSide = 2048;               ///< longer side of the reduced copy, at most
