@@ -37,9 +37,7 @@ QString tipOf(const GalleryItem& item) {
     QStringList lines{QString::fromStdString(item.card.name)};
     if (!item.card.tags.empty())
         lines << tagsOf(item).join(", ");
-    if (!item.card.credit.empty())
-        lines << QString::fromStdString(item.card.credit);
-    lines << GalleryList::tr("Click, or drag it onto the transfer function or onto the structure in the picture");
+    lines << GalleryList::tr("Click to use it, or drag it onto the transfer function or the picture");
     return lines.join('\n');
 }
 
@@ -58,6 +56,7 @@ GalleryList::GalleryList(QWidget* parent) : QListWidget(parent) {
     setMovement(QListView::Static);
     setSelectionMode(QAbstractItemView::SingleSelection);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // cells share the width, which must not hang on their rows
     setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     verticalScrollBar()->setSingleStep(24);
     setSpacing(0);
@@ -82,6 +81,7 @@ void GalleryList::setItems(std::vector<GalleryItem> items) {
         return;
     }
     const std::string current = currentKey();
+    const int place = currentRow();
     const int scrolled = verticalScrollBar()->value();
     items_ = std::move(items);
     places_.clear();
@@ -91,7 +91,8 @@ void GalleryList::setItems(std::vector<GalleryItem> items) {
     pressed_ = nullptr;
     const QSignalBlocker quiet(this);
     fill();
-    setCurrentItem(rowOf(current));
+    QListWidgetItem* row = rowOf(current);
+    setCurrentItem(row || current.empty() ? row : styleFrom(place)); // what was removed gives way to its neighbour
     doItemsLayout();
     verticalScrollBar()->setValue(scrolled);
 }
@@ -216,6 +217,15 @@ QListWidgetItem* GalleryList::rowOf(const std::string& key) const {
     for (int i = 0; i < count(); ++i)
         if (isStyle(item(i)) && item(i)->data(kKeyRole).toString().toStdString() == key)
             return item(i);
+    return nullptr;
+}
+
+QListWidgetItem* GalleryList::styleFrom(int place) const {
+    const auto usable = [this](int i) { return i >= 0 && i < count() && isStyle(item(i)) && !item(i)->isHidden(); };
+    for (int away = 0; away <= count(); ++away)
+        for (const int i : {place + away, place - away})
+            if (usable(i))
+                return item(i);
     return nullptr;
 }
 

@@ -88,6 +88,8 @@ class GalleryList : public QListWidget {
     void showFitting();
     void setFolded(StyleHome home, bool folded);
     [[nodiscard]] bool fits(const GalleryItem& item) const;
+    /// The shown style nearest to a row; null: none is shown.
+    [[nodiscard]] QListWidgetItem* styleFrom(int place) const;
     [[nodiscard]] bool isStyle(const QListWidgetItem* row) const;
 
     std::vector<GalleryItem> items_;

@@ -135,12 +135,12 @@ void GalleryRows::paintStyle(QPainter& painter, const QStyleOptionViewItem& opti
     const bool under = option.state.testFlag(QStyle::State_MouseOver);
     const QRectF box = QRectF(option.rect).adjusted(1, 1, -1, -1);
     const QColor accent = option.palette.color(QPalette::Highlight);
-    if (chosen || under) {
+    if (chosen || under) { // colours are judged beside the background that the others have
         QColor back = accent;
-        back.setAlpha(chosen ? 255 : 40);
-        painter.setPen(Qt::NoPen);
+        back.setAlpha(chosen ? 60 : 30);
+        painter.setPen(chosen ? QPen(accent, 2) : QPen(Qt::NoPen));
         painter.setBrush(back);
-        painter.drawRoundedRect(box, 4, 4);
+        painter.drawRoundedRect(box.adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
     }
     const Cell cell = cellOf(list_->ballSize());
     const std::string key = index.data(GalleryList::kKeyRole).toString().toStdString();
@@ -152,10 +152,13 @@ void GalleryRows::paintStyle(QPainter& painter, const QStyleOptionViewItem& opti
         painter.setBrush(Qt::NoBrush);
         painter.drawEllipse(place.adjusted(2, 2, -2, -2));
     } else {
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(Qt::white); // clear styles are seen as on paper
+        painter.drawEllipse(place.adjusted(0.5, 0.5, -0.5, -0.5));
         painter.drawPixmap(place.topLeft(), ball);
     }
     if (cell.named) {
-        painter.setPen(option.palette.color(chosen ? QPalette::HighlightedText : QPalette::Text));
+        painter.setPen(option.palette.color(QPalette::Text));
         paintName(painter,
                   QRectF(option.rect.left() + 2, place.bottom() + 1, option.rect.width() - 4,
                          2.0 * option.fontMetrics.lineSpacing()),
@@ -164,10 +167,10 @@ void GalleryRows::paintStyle(QPainter& painter, const QStyleOptionViewItem& opti
     const bool favourite = index.data(GalleryList::kFavouriteRole).toBool();
     if (favourite || under)
         paintStar(painter, starIn(option.rect), favourite);
-    if (option.state.testFlag(QStyle::State_HasFocus) && !chosen) {
-        painter.setPen(QPen(accent, 1.5));
+    if (option.state.testFlag(QStyle::State_HasFocus)) {
+        painter.setPen(QPen(option.palette.color(QPalette::Text), 1, Qt::DotLine));
         painter.setBrush(Qt::NoBrush);
-        painter.drawRoundedRect(box, 4, 4);
+        painter.drawRoundedRect(box.adjusted(2.5, 2.5, -2.5, -2.5), 3, 3);
     }
 }
 

@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPainter>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -15,7 +16,7 @@ namespace limner {
 namespace {
 
 constexpr int kBall = 72;
-constexpr int kScan = 160;
+constexpr int kScan = 148; // beside the ball and its button in a dock of usual width
 
 QString homeLine(const GalleryItem& item) {
     const QString origin = QString::fromStdString(item.card.origin);
@@ -25,6 +26,24 @@ QString homeLine(const GalleryItem& item) {
     case StyleHome::bundled: break;
     }
     return StyleDetails::tr("Comes with Limner; duplicate it to change its card");
+}
+
+/// A ball of that many pixels on a white disk, as on paper; null for a null one.
+QPixmap onPaper(const QImage& ball, int size, double ratio) {
+    if (ball.isNull())
+        return {};
+    const int pixels = static_cast<int>(size * ratio);
+    QPixmap pixmap(pixels, pixels);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(Qt::white);
+    painter.drawEllipse(QRectF(pixmap.rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+    painter.drawImage(0, 0, ball.scaled(pixels, pixels, Qt::KeepAspectRatio, Qt::SmoothTransformation));
+    painter.end();
+    pixmap.setDevicePixelRatio(ratio);
+    return pixmap;
 }
 
 QWidget* row(std::initializer_list<QWidget*> widgets) {
@@ -56,6 +75,7 @@ StyleDetails::StyleDetails(QWidget* parent)
     scan_->setAccessibleName(tr("The scan in this style"));
     onScan_->setCheckable(true);
     home_->setWordWrap(true);
+    home_->setMinimumWidth(kScan); // the panel keeps its width when the picture comes
     auto* beside = new QVBoxLayout;
     beside->setSpacing(6);
     beside->addWidget(ball_, 0, Qt::AlignHCenter);
@@ -77,7 +97,9 @@ StyleDetails::StyleDetails(QWidget* parent)
     layout->setSpacing(6);
     layout->addLayout(pictures);
     layout->addLayout(form);
-    layout->addWidget(row({duplicate_, remove_}));
+    QWidget* buttons = row({duplicate_, remove_});
+    buttons->setMinimumHeight(duplicate_->sizeHint().height()); // also while it shows none of them
+    layout->addWidget(buttons);
     const auto switchPicture = [this](bool on) { // the picture needs the line's room
         scan_->setVisible(on);
         home_->setVisible(!on);
@@ -127,13 +149,7 @@ void StyleDetails::showItem() {
     ball_->setToolTip(any ? home_->text() : QString());
     duplicate_->setVisible(any && !own);
     remove_->setVisible(own);
-    QPixmap ball;
-    if (any && !item_->ball.isNull()) {
-        const int pixels = static_cast<int>(kBall * devicePixelRatioF());
-        ball = QPixmap::fromImage(item_->ball.scaled(pixels, pixels, Qt::KeepAspectRatio, Qt::SmoothTransformation));
-        ball.setDevicePixelRatio(devicePixelRatioF());
-    }
-    ball_->setPixmap(ball);
+    ball_->setPixmap(any ? onPaper(item_->ball, kBall, devicePixelRatioF()) : QPixmap());
 }
 
 StyleCard StyleDetails::typed() const {

@@ -184,9 +184,9 @@ void StyleGallery::changeEvent(QEvent* event) {
 void StyleGallery::setItems(std::vector<GalleryItem> items) {
     items_ = std::move(items);
     entries_.clear(); // which of the figure's are the project's alone may be another matter now
+    project_.clear();
     project_ = projectItems();
     showItems();
-    shown_.clear();
     showTarget();
 }
 
@@ -223,6 +223,8 @@ void StyleGallery::showItems() {
     std::vector<GalleryItem> all = items_;
     all.insert(all.end(), project_.begin(), project_.end());
     list_->setItems(std::move(all));
+    if (!list_->find(hovered_)) // it was removed under the pointer
+        hovered_.clear();
     showTags();
     applyFilter();
     showDetails();

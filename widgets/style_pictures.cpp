@@ -33,8 +33,7 @@ glm::ivec2 sizeOf(const Figure& figure, int edgePixels) {
     return {side(figure.output.widthMm), side(figure.output.heightMm)};
 }
 
-Picture render(Planner& planner, const Figure& figure, PlanRequest request, Task& task) {
-    request.stepScale = 2;
+Picture render(Planner& planner, const Figure& figure, const PlanRequest& request, Task& task) {
     const auto plan = planner.plan(figure, request, task);
     return makeCpuBackend()->render(*plan, {{0, 0}, request.size}, task).picture;
 }

@@ -161,7 +161,8 @@ TEST(StudioGallery, OnesOwnStylesAreRenamedRemovedAndBroughtBack) {
     const std::string key = studio.duplicate(studio.list().items().front().key());
     EXPECT_TRUE(livesIn(key, StyleHome::mine));
     EXPECT_EQ(studio.fileCount(), 1);
-    EXPECT_EQ(studio.list().currentKey(), key) << "it is shown";
+    ASSERT_TRUE(pumpUntil([&] { return !studio.list().find(key)->ball.isNull(); }));
+    EXPECT_EQ(studio.list().currentKey(), key) << "it is shown, also when its ball has come";
 
     QLineEdit* name = studio.gallery().details()->name();
     studio.list().setFocus();
