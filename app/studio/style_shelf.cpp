@@ -27,7 +27,7 @@ StyleShelf::~StyleShelf() {
     Task task;
     for (const Work& work : waiting_) {
         try {
-            if (!work.done) // a pure write; what reads is for a window that is gone
+            if (!work.onlyReads)
                 work.work(task);
         } catch (const Error&) { // nobody is left to be told
         }
@@ -89,7 +89,8 @@ void StyleShelf::reload() {
         read->listing = library.list();
         read->favourites = library.favourites();
     };
-    enqueue({tr("Reading your styles"), work, [this, read] {
+    enqueue({tr("Reading your styles"), work,
+             [this, read] {
                  mine_ = read->listing.cards;
                  favourites_ = read->favourites;
                  used_.clear(); // their cards may have changed
@@ -100,7 +101,8 @@ void StyleShelf::reload() {
                      lines << QString::fromStdString(line);
                  if (!lines.isEmpty())
                      Q_EMIT problemsFound(lines);
-             }});
+             },
+             true});
 }
 
 void StyleShelf::wantBalls() {
@@ -134,7 +136,8 @@ void StyleShelf::wantBalls() {
                          Qt::QueuedConnection);
                  }
              },
-             [] {}});
+             {},
+             true});
 }
 
 void StyleShelf::changeSoon() {
@@ -200,7 +203,7 @@ void StyleShelf::setFavourite(const std::string& key, bool favourite) {
     else
         favourites_.erase(id);
     Q_EMIT changed();
-    enqueue({tr("Keeping favourites"), [=, library = library_](Task&) { library.setFavourite(id, favourite); }, {}});
+    enqueue({tr("Keeping favourites"), [=, library = library_](Task&) { library.setFavourite(id, favourite); }});
 }
 
 void StyleShelf::change(const StyleCard& card) {
@@ -213,7 +216,7 @@ void StyleShelf::change(const StyleCard& card) {
     const std::string key = styleKey(StyleHome::mine, card.id);
     std::erase_if(used_, [&](const auto& used) { return used.first == key; });
     Q_EMIT changed();
-    enqueue({tr("Writing a style's card"), [card, library = library_](Task&) { library.change(card); }, {}});
+    enqueue({tr("Writing a style's card"), [card, library = library_](Task&) { library.change(card); }});
 }
 
 void StyleShelf::add(const QString& name, std::function<Style(Task&)> make) {
@@ -249,7 +252,7 @@ void StyleShelf::remove(const std::string& id) {
     removed_.push_back({id, name});
     mine_.erase(own);
     Q_EMIT changed();
-    enqueue({tr("Removing a style"), [id, library = library_](Task&) { library.remove(id); }, {}});
+    enqueue({tr("Removing a style"), [id, library = library_](Task&) { library.remove(id); }});
     Q_EMIT removed(name);
 }
 

@@ -68,7 +68,8 @@ class StyleShelf : public QObject {
     struct Work {
         QString name;
         Job::Work work;
-        std::function<void()> done;
+        std::function<void()> done = {};
+        bool onlyReads = false; ///< of no use to a window that is gone
     };
     struct Removed {
         std::string id;
