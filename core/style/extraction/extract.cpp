@@ -358,7 +358,8 @@ std::optional<double> formError(const Artwork& artwork, const ExtractionRequest&
     if (count < kLeastVotes) {
         return std::nullopt;
     }
-    return differenceOf(gatherVotes(std::move(here), task).picture, gatherVotes(std::move(there), task).picture);
+    return differenceOf(gatherVotes(std::move(here), HeldOut::left, task).picture,
+                        gatherVotes(std::move(there), HeldOut::left, task).picture);
 }
 
 } // namespace
@@ -383,12 +384,12 @@ Extraction extractStyle(const Artwork& artwork, const ExtractionRequest& request
         fail(artwork, "only " + std::to_string(votes.size()) + " pixels of it count, the rest is clear or left out",
              "choose a larger form, or scan it finer");
     }
-    Gathered gathered = gatherVotes(std::move(votes), task);
+    Gathered gathered = gatherVotes(std::move(votes), HeldOut::measured, task);
     checkTone(artwork, gathered.picture);
     Extraction result;
     result.figures.coverage = diskCoverage(gathered.picture);
     result.figures.largestHoleDegrees = largestHoleDegrees(gathered.picture);
-    result.figures.residualRmse = gathered.heldOutRmse;
+    result.figures.residualRmse = *gathered.heldOutRmse;
     result.figures.formRmse = formError(artwork, request, looked, task);
     Disk disk = finish(std::move(gathered.picture), request.size, task);
     // Lighting is what changes slowly over the sphere; finer things are the texture's, and not said twice.

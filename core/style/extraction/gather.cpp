@@ -335,7 +335,7 @@ std::vector<float> distancesFrom(const std::vector<Vote>& votes, const Composed&
 }
 
 /// RMS over the channels of all votes, each by the other half's sphere; outliers too, or it would flatter.
-double heldOut(const std::vector<Vote>& votes, const std::vector<float>& trust, const cv::Mat& needed, Task& task) {
+double heldOutRmse(const std::vector<Vote>& votes, const std::vector<float>& trust, const cv::Mat& needed, Task& task) {
     double sum = 0;
     double weight = 0;
     for (int half = 0; half < 2; ++half) {
@@ -363,7 +363,7 @@ int gatheredSide(std::size_t votes) {
     return power;
 }
 
-Gathered gatherVotes(std::vector<Vote> votes, Task& task) {
+Gathered gatherVotes(std::vector<Vote> votes, HeldOut heldOut, Task& task) {
     const int side = gatheredSide(votes.size());
     const Patches patches(votes);
     std::vector<float> trust(votes.size(), 1);
@@ -380,7 +380,9 @@ Gathered gatherVotes(std::vector<Vote> votes, Task& task) {
         }
     }
     Gathered gathered;
-    gathered.heldOutRmse = heldOut(votes, trust, needed, task);
+    if (heldOut == HeldOut::measured) {
+        gathered.heldOutRmse = heldOutRmse(votes, trust, needed, task);
+    }
     gathered.picture = {side, side, std::vector<Rgba>(static_cast<std::size_t>(side) * static_cast<std::size_t>(side))};
     for (int y = 0; y < side; ++y) {
         for (int x = 0; x < side; ++x) {

@@ -3,6 +3,7 @@
 #include "core/style/extraction/picture.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace limner {
@@ -24,7 +25,7 @@ struct Vote {
 struct Gathered {
     ArtPicture picture; ///< square; alpha 1 where there were votes, else 0 and the colour is undefined
     /// A vote's distance from the gathered colour at its normal, by the sphere of the OTHER half's votes: RMS.
-    double heldOutRmse = 0;
+    std::optional<double> heldOutRmse; ///< where it was asked for: it costs two fits more
 };
 
 /// The side of the picture that so many votes fill: two thirds of one a texel, or up to four times as many. 32..512.
@@ -34,6 +35,7 @@ int gatheredSide(std::size_t votes);
 /// level with votes enough counts, more where they disagree. Up to a quarter of the votes at a place may be outliers
 /// (letters, grain) and are left out; more than that is taken for texture or hatching and averaged. A texel further
 /// than 2 % of the disk's width from votes enough is a hole. Throws Error(cancelled).
-Gathered gatherVotes(std::vector<Vote> votes, Task& task);
+enum class HeldOut { measured, left };
+Gathered gatherVotes(std::vector<Vote> votes, HeldOut heldOut, Task& task);
 
 } // namespace limner
