@@ -13,6 +13,7 @@
 #include <glm/geometric.hpp>
 #include <opencv2/imgproc.hpp>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <array>
@@ -384,13 +385,15 @@ Extraction extractStyle(const Artwork& artwork, const ExtractionRequest& request
         fail(artwork, "only " + std::to_string(votes.size()) + " pixels of it count, the rest is clear or left out",
              "choose a larger form, or scan it finer");
     }
-    Gathered gathered = gatherVotes(std::move(votes), HeldOut::measured, task);
-    checkTone(artwork, gathered.picture);
+    Gathered gathered;
     Extraction result;
+    // Neither keeps two cores busy on its own.
+    tbb::parallel_invoke([&] { gathered = gatherVotes(std::move(votes), HeldOut::measured, task); },
+                         [&] { result.figures.formRmse = formError(artwork, request, looked, task); });
+    checkTone(artwork, gathered.picture);
     result.figures.coverage = diskCoverage(gathered.picture);
     result.figures.largestHoleDegrees = largestHoleDegrees(gathered.picture);
     result.figures.residualRmse = *gathered.heldOutRmse;
-    result.figures.formRmse = formError(artwork, request, looked, task);
     Disk disk = finish(std::move(gathered.picture), request.size, task);
     // Lighting is what changes slowly over the sphere; finer things are the texture's, and not said twice.
     result.unedited = request.separateTexture ? withSmoothing(disk.sphere, 1) : disk.sphere;
