@@ -51,11 +51,11 @@ MainWindow::MainWindow(Engine engine)
     setAcceptDrops(true);
     buildPanels();
     buildCleanup();
-    buildStipple();
     buildStyles();
+    buildStatusBar();
+    buildFeatures();
     buildMenus();
     buildToolBar();
-    buildStatusBar();
     connectActions();
     connectPanels();
     connect(document_, &StudioDocument::changed, this, &MainWindow::documentChanged);
@@ -253,8 +253,6 @@ void MainWindow::connectActions() {
     on("edit.add-lens", [this] { addLens(); });
     connectCleanup();
     on("styles.extract", [this] { extractStyle(); });
-    on("background.paper", [this] { choosePaper(); });
-    on("background.picture", [this] { chooseBackgroundPicture(); });
     on("help.about", [this] { showAbout(); });
     connect(presets_, &PresetMenu::chosen, this, &MainWindow::usePreset);
     connect(themes_, &ThemeMenu::chosen, this, &MainWindow::useTheme);
@@ -295,10 +293,9 @@ void MainWindow::documentChanged() {
     const bool any = figure != nullptr;
     pages_->setCurrentWidget(any ? static_cast<QWidget*>(viewport_) : welcome_);
     for (const char* id :
-         {"file.save",        "file.save-as",       "file.export",   "file.close",    "edit.copy-picture",
-          "view.anterior",    "view.posterior",     "view.left",     "view.right",    "view.superior",
-          "view.inferior",    "view.three-quarter", "view.fit",      "view.zoom-in",  "view.zoom-out",
-          "background.paper", "background.picture", "edit.add-lens", "edit.scissors", "edit.keep-island"})
+         {"file.save", "file.save-as", "file.export", "file.close", "edit.copy-picture", "view.anterior",
+          "view.posterior", "view.left", "view.right", "view.superior", "view.inferior", "view.three-quarter",
+          "view.fit", "view.zoom-in", "view.zoom-out", "edit.add-lens", "edit.scissors", "edit.keep-island"})
         actions_->at(id)->setEnabled(any);
     const bool drawable = any && figure->volume && figure->volume->data;
     presets_->setEnabled(drawable);
@@ -328,7 +325,6 @@ void MainWindow::documentChanged() {
     importance_->setFigure(figure);
     showLens();
     showCleanup();
-    showStipple();
     showTitle();
     wantPicture();
 }

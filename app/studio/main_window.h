@@ -4,6 +4,7 @@
 #include "app/studio/engine.h"
 #include "app/studio/export_dialog.h"
 #include "app/studio/studio_document.h"
+#include "app/studio/workplace.h"
 
 #include <QMainWindow>
 #include <QPointer>
@@ -34,7 +35,6 @@ class PictureFeed;
 class PresetMenu;
 class ProgressStrip;
 class ScissorsOverlay;
-class StippleForm;
 class StyleGallery;
 class ThemeMenu;
 class TransferEditor1d;
@@ -58,10 +58,6 @@ class MainWindow : public QMainWindow {
     void exportPath(const std::filesystem::path& path, const ExportDialog::Choice& choice);
     void usePreset(const QString& id, const QString& name);
     void useTheme(const QString& id, const QString& name);
-    /// A plain paper; takes a background picture away.
-    void usePaper(const QColor& colour);
-    /// Lays the figure over a picture; the paper shows where that is clear.
-    void useBackgroundPicture(const std::filesystem::path& path);
     /// Reads a label volume for the open scan; its layers stay as they are.
     void openLabelsPath(const std::filesystem::path& path);
     void extractStyle(); ///< opens the dialog that takes styles from artwork, or brings it to the front
@@ -80,10 +76,9 @@ class MainWindow : public QMainWindow {
     [[nodiscard]] CleanupForm& cleanup() { return *cleanup_; }
     [[nodiscard]] ScissorsOverlay& scissors() { return *scissors_; }
     [[nodiscard]] IslandOverlay& islandTool() { return *island_; }
-    [[nodiscard]] StippleForm& stipple() { return *stipple_; }
     [[nodiscard]] NoticeBar& notices() { return *notices_; }
     [[nodiscard]] ExtractionDialog* extraction() const; ///< null while it is not open
-    /// Whether a job of the window (import, labels, save, export, preset, theme, background) is under way.
+    /// Whether a job of the window (import, labels, save, export, preset, theme) is under way.
     [[nodiscard]] bool busy() const;
 
     enum class Answer { save, discard, cancel };
@@ -109,9 +104,10 @@ class MainWindow : public QMainWindow {
     void buildCleanup();
     void connectCleanup();
     void showCleanup();
-    void buildStipple();
     void buildStyles();
-    void showStipple();
+    /// What the features are given, and the features (window_features.cpp).
+    [[nodiscard]] Workplace workplace();
+    void buildFeatures();
     void buildMenus();
     void buildToolBar();
     QToolButton* addLookButton(QToolBar* bar, const QString& text, const QString& tip, QMenu* menu);
@@ -141,8 +137,6 @@ class MainWindow : public QMainWindow {
     void save();
     void saveAs();
     void chooseAndExport();
-    void choosePaper();
-    void chooseBackgroundPicture();
     void copyPicture();
     void showError(const Error& error);
     void showAbout();
@@ -177,7 +171,6 @@ class MainWindow : public QMainWindow {
     CleanupForm* cleanup_;
     ScissorsOverlay* scissors_;
     IslandOverlay* island_;
-    StippleForm* stipple_;
     QPointer<ExtractionDialog> extraction_;
     PresetMenu* presets_;
     ThemeMenu* themes_;
@@ -186,7 +179,7 @@ class MainWindow : public QMainWindow {
     QMenu* recent_;
     ProgressStrip* progress_;
     QLabel* facts_;
-    QPointer<Job> openJob_, saveJob_, exportJob_, lookJob_, labelJob_, backgroundJob_, resourceJob_, measuresJob_;
+    QPointer<Job> openJob_, saveJob_, exportJob_, lookJob_, labelJob_, resourceJob_, measuresJob_;
     std::shared_ptr<const Figure> instead_;           ///< shown in the document's place: a style held over it
     std::shared_ptr<const ScreenPicture> ownPicture_; ///< final one of the document's figure, meanwhile
     std::shared_ptr<const Figure> wanted_;            ///< what the newest request to the feed shows

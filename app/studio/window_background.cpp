@@ -1,60 +1,76 @@
-// What the window does with the figure's background.
-#include "app/studio/main_window.h"
+#include "app/studio/window_background.h"
 
+#include "app/studio/action_table.h"
+#include "app/studio/studio_document.h"
 #include "core/style/background_picture.h"
 #include "widgets/colour_button.h"
 #include "widgets/job.h"
 
+#include <QAction>
 #include <QColorDialog>
 #include <QFileDialog>
+#include <QMainWindow>
 
 namespace limner {
 
-void MainWindow::choosePaper() {
-    if (document_->empty())
+WindowBackground::WindowBackground(const Workplace& place) : QObject(place.window), place_(place) {
+    QAction* paper = place_.actions->at("background.paper");
+    QAction* picture = place_.actions->at("background.picture");
+    connect(paper, &QAction::triggered, this, &WindowBackground::choosePaper);
+    connect(picture, &QAction::triggered, this, &WindowBackground::choosePicture);
+    const auto enable = [this, paper, picture] {
+        paper->setEnabled(!place_.document->empty());
+        picture->setEnabled(!place_.document->empty());
+    };
+    connect(place_.document, &StudioDocument::changed, this, enable);
+    enable();
+}
+
+void WindowBackground::choosePaper() {
+    if (place_.document->empty())
         return;
-    const QColor colour =
-        QColorDialog::getColor(colourOf(glm::dvec3(document_->figure()->background.rgba)), this, tr("Paper colour"));
+    const QColor colour = QColorDialog::getColor(colourOf(glm::dvec3(place_.document->figure()->background.rgba)),
+                                                 place_.window, tr("Paper colour"));
     if (colour.isValid())
         usePaper(colour);
 }
 
-void MainWindow::usePaper(const QColor& colour) {
-    if (document_->empty())
+void WindowBackground::usePaper(const QColor& colour) {
+    if (place_.document->empty())
         return;
-    Edit edit{*document_->figure(), tr("Paper colour").toStdString(), {}, false};
+    Edit edit{*place_.document->figure(), tr("Paper colour").toStdString(), {}, false};
     edit.figure.background = {};
     edit.figure.background.rgba = glm::dvec4(rgbOf(colour), 1);
-    document_->apply(edit);
+    place_.document->apply(edit);
 }
 
-void MainWindow::chooseBackgroundPicture() {
-    if (document_->empty())
+void WindowBackground::choosePicture() {
+    if (place_.document->empty())
         return;
     const QString path =
-        QFileDialog::getOpenFileName(this, tr("Picture behind the figure"), {},
+        QFileDialog::getOpenFileName(place_.window, tr("Picture behind the figure"), {},
                                      tr("Pictures (*.png *.jpg *.jpeg *.tif *.tiff *.webp *.exr);;Everything (*)"));
     if (!path.isEmpty())
-        useBackgroundPicture(path.toStdString());
+        usePicture(path.toStdString());
 }
 
-void MainWindow::useBackgroundPicture(const std::filesystem::path& path) {
-    if (document_->empty())
+void WindowBackground::usePicture(const std::filesystem::path& path) {
+    if (place_.document->empty())
         return;
-    const unsigned generation = document_->generation();
+    const unsigned generation = place_.document->generation();
     auto picture = std::make_shared<std::shared_ptr<const BackgroundPicture>>();
-    Job* job = startJob(backgroundJob_, tr("Opening %1").arg(QString::fromStdString(path.filename().string())),
-                        [picture, path](Task&) { *picture = std::make_shared<const BackgroundPicture>(path); });
+    Job* job = place_.makeJob(job_, tr("Opening %1").arg(QString::fromStdString(path.filename().string())),
+                              [picture, path](Task&) { *picture = std::make_shared<const BackgroundPicture>(path); });
     connect(job, &Job::finished, this, [this, picture, path, generation] {
-        backgroundJob_.clear();
-        if (generation != document_->generation())
+        job_.clear();
+        if (generation != place_.document->generation())
             return;
-        Edit edit{*document_->figure(), tr("Background picture").toStdString(), {}, false};
+        Edit edit{*place_.document->figure(), tr("Background picture").toStdString(), {}, false};
         Background& background = edit.figure.background; // its colour stays: it shows where the picture is clear
         background.kind = "image";
         background.file = path.string();
         background.picture = *picture;
-        document_->apply(edit);
+        place_.document->apply(edit);
     });
     job->start();
 }

@@ -83,7 +83,7 @@ Job* MainWindow::startJob(QPointer<Job>& slot, const QString& name, std::functio
     return job;
 }
 
-bool MainWindow::busy() const { return openJob_ || labelJob_ || saveJob_ || exportJob_ || lookJob_ || backgroundJob_; }
+bool MainWindow::busy() const { return openJob_ || labelJob_ || saveJob_ || exportJob_ || lookJob_; }
 
 void MainWindow::loadResources() {
     struct Resources {

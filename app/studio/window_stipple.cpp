@@ -1,37 +1,37 @@
-#include "app/studio/main_window.h"
+#include "app/studio/window_stipple.h"
 
+#include "app/studio/action_table.h"
+#include "app/studio/studio_document.h"
 #include "widgets/stipple_form.h"
 
 #include <QAction>
 #include <QCheckBox>
 #include <QDockWidget>
-
-/// The window's stipple panel.
+#include <QMainWindow>
 
 namespace limner {
 
-void MainWindow::buildStipple() {
-    stipple_ = new StippleForm;
-    QDockWidget* panel = dock(this, "dock.stipple", tr("Stipple"), stipple_, Qt::RightDockWidgetArea);
-    tabifyDockWidget(findChild<QDockWidget*>("dock.cleanup"), panel);
-    findChild<QDockWidget*>("dock.transfer")->raise();
-    QAction* action = actions_->at("edit.stipple");
+WindowStipple::WindowStipple(const Workplace& place) : QObject(place.window), place_(place), form_(new StippleForm) {
+    panel_ = place_.addDock("dock.stipple", tr("Stipple"), form_, Qt::RightDockWidgetArea);
+    QAction* action = place_.actions->at("edit.stipple");
     action->setCheckable(true);
-    connect(action, &QAction::triggered, this, [this, panel](bool on) {
-        stipple_->inked()->click();
+    connect(action, &QAction::triggered, this, [this](bool on) {
+        form_->inked()->click();
         if (!on)
             return;
-        panel->show(); // where the dots can be changed
-        panel->raise();
-        stipple_->inked()->setFocus();
+        panel_->show(); // where the dots can be changed
+        panel_->raise();
+        form_->inked()->setFocus();
     });
-    connect(stipple_, &StippleForm::edited, this, [this](const Edit& edit) { document_->apply(edit); });
+    connect(form_, &StippleForm::edited, place_.document, &StudioDocument::apply);
+    connect(place_.document, &StudioDocument::changed, this, &WindowStipple::showFigure);
+    showFigure();
 }
 
-void MainWindow::showStipple() {
-    const std::shared_ptr<const Figure> figure = document_->figure();
-    stipple_->setFigure(figure);
-    QAction* action = actions_->at("edit.stipple");
+void WindowStipple::showFigure() {
+    const std::shared_ptr<const Figure> figure = place_.document->figure();
+    form_->setFigure(figure);
+    QAction* action = place_.actions->at("edit.stipple");
     action->setEnabled(figure != nullptr);
     action->setChecked(figure && figure->stipple);
 }

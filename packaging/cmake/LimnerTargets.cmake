@@ -12,7 +12,8 @@ endif()
 
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+  # What ccache asks for before it keeps a file that was compiled with a precompiled header.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE_PROGRAM})
 endif()
 
 # Flags shared by our own code; libraries' headers come in as SYSTEM and stay out of -Werror.
@@ -22,7 +23,9 @@ target_compile_options(limner_flags INTERFACE -Wall -Wextra -Werror -Wshadow -Wn
 if(LIMNER_SANITIZE)
   target_compile_options(limner_flags INTERFACE -O1 -g1) # a sanitizer's code at -O3 takes minutes a file
 else()
-  target_compile_options(limner_flags INTERFACE $<$<NOT:$<CONFIG:Debug>>:-O3>)
+  # The libraries under test are as users get them; the tests' own code (property LIMNER_TESTS_ONLY) need not be fast.
+  target_compile_options(limner_flags INTERFACE
+    $<$<NOT:$<CONFIG:Debug>>:$<IF:$<BOOL:$<TARGET_PROPERTY:LIMNER_TESTS_ONLY>>,-O1,-O3>>)
 endif()
 # GCC 12 sees overlaps that are not there in "/" + std::string (GCC bug 105651).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
@@ -44,6 +47,17 @@ function(limner_library name)
   endforeach()
   add_library(${name} STATIC ${sources})
   target_link_libraries(${name} PUBLIC limner_flags)
+  if(LIMNER_SANITIZE)
+    limner_precompiled(${name}) # that each header stands alone is seen in the other builds
+  endif()
+endfunction()
+
+# limner_precompiled(target headers...): these and the standard library's are parsed once for the target's sources.
+function(limner_precompiled target)
+  list(TRANSFORM ARGN REPLACE "(.+)" "<\\1>")
+  target_precompile_headers(${target} PRIVATE <algorithm> <array> <cmath> <filesystem> <fstream> <functional> <limits>
+                                              <map> <memory> <optional> <random> <set> <span> <sstream> <string>
+                                              <utility> <vector> <glm/glm.hpp> ${ARGN})
 endfunction()
 
 # limner_dispatched(files...): sources that are compiled for every instruction set (Highway's foreach_target.h).
@@ -58,5 +72,6 @@ function(limner_dispatched)
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS
       "-march=x86-64-v2;-maes;-mpclmul;-DHWY_DISABLED_TARGETS=(${left_out})")
+    set_property(SOURCE ${ARGN} PROPERTY SKIP_PRECOMPILE_HEADERS ON) # its flags are others
   endif()
 endfunction()

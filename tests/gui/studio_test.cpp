@@ -2,6 +2,8 @@
 #include "gui/studio_window.h"
 
 #include "app/studio/export_dialog.h"
+#include "app/studio/window_background.h"
+#include "app/studio/window_stipple.h"
 #include "core/figure/layer_edits.h"
 #include "core/project/archive.h"
 #include "core/project/embedded_volume.h"
@@ -203,20 +205,22 @@ TEST(Studio, TheBackgroundCanBeChosen) {
     EXPECT_FALSE(studio.window->actions().at("background.picture")->isEnabled());
     ASSERT_TRUE(studio.openSample());
     const Figure start = studio.figure();
+    auto* background = studio.window->findChild<WindowBackground*>();
+    const auto settled = [&] { return !background->busy(); };
     const QTemporaryDir folder;
     const std::filesystem::path file = folder.filePath("sheet.png").toStdString();
     QImage sheet(40, 30, QImage::Format_RGB32);
     sheet.fill(QColor(20, 200, 90));
     ASSERT_TRUE(sheet.save(QString::fromStdString(file.string())));
 
-    studio.window->useBackgroundPicture(file);
-    ASSERT_TRUE(pumpUntil([&] { return !studio.window->busy(); }));
+    background->usePicture(file);
+    ASSERT_TRUE(pumpUntil(settled));
     EXPECT_EQ(studio.figure().background.kind, "image");
     EXPECT_EQ(studio.figure().background.rgba, start.background.rgba);
     EXPECT_TRUE(waitForCorner(studio, QColor(20, 200, 90)));
     const Figure withPicture = studio.figure();
 
-    studio.window->usePaper(QColor(255, 0, 51));
+    background->usePaper(QColor(255, 0, 51));
     EXPECT_EQ(studio.figure().background.kind, "colour");
     EXPECT_EQ(studio.figure().background.picture, nullptr);
     EXPECT_TRUE(waitForCorner(studio, QColor(255, 0, 51)));
@@ -226,8 +230,8 @@ TEST(Studio, TheBackgroundCanBeChosen) {
     studio.trigger("edit.undo");
     EXPECT_EQ(studio.figure(), start);
 
-    studio.window->useBackgroundPicture(file.string() + ".none");
-    ASSERT_TRUE(pumpUntil([&] { return !studio.window->busy(); }));
+    background->usePicture(file.string() + ".none");
+    ASSERT_TRUE(pumpUntil(settled));
     EXPECT_EQ(studio.figure(), start);
     auto* box = studio.window->findChild<QMessageBox*>();
     ASSERT_NE(box, nullptr);
@@ -490,7 +494,7 @@ TEST(Studio, TheStipplePanelChangesTheFigureWhileItsSlidersMove) {
     QAction* action = studio.window->actions().at("edit.stipple");
     EXPECT_FALSE(action->isEnabled());
     ASSERT_TRUE(studio.openSample());
-    StippleForm& panel = studio.window->stipple();
+    StippleForm& panel = studio.window->findChild<WindowStipple*>()->form();
     EXPECT_FALSE(panel.inked()->isChecked());
     EXPECT_TRUE(panel.visibleRegion().isEmpty()) << "it lies behind another tab";
     action->trigger();

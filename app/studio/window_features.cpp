@@ -1,0 +1,49 @@
+#include "app/studio/main_window.h"
+
+#include "app/studio/window_background.h"
+#include "app/studio/window_stipple.h"
+#include "widgets/job.h"
+#include "widgets/layer_list.h"
+#include "widgets/progress_strip.h"
+
+#include <QDockWidget>
+#include <QStatusBar>
+
+/// The window's features, one line each: their order is the order of their panels.
+
+namespace limner {
+
+Workplace MainWindow::workplace() {
+    constexpr int kMessageMs = 6000;
+    return {.window = this,
+            .document = document_,
+            .actions = actions_,
+            .viewport = viewport_,
+            .layers = layers_,
+            .transfer = transfer_,
+            .notices = notices_,
+            .progress = progress_,
+            .engine = engine_,
+            .addDock =
+                [this](const char* name, const QString& title, QWidget* content, Qt::DockWidgetArea area) {
+                    QDockWidget* panel = dock(this, name, title, content, area);
+                    if (area == Qt::RightDockWidgetArea) {
+                        auto* transfer = findChild<QDockWidget*>("dock.transfer");
+                        tabifyDockWidget(transfer, panel);
+                        transfer->raise();
+                    }
+                    return panel;
+                },
+            .makeJob = [this](QPointer<Job>& slot, const QString& name,
+                              std::function<void(Task&)> work) { return startJob(slot, name, std::move(work)); },
+            .showError = [this](const Error& error) { showError(error); },
+            .tell = [this](const QString& message) { statusBar()->showMessage(message, kMessageMs); }};
+}
+
+void MainWindow::buildFeatures() {
+    const Workplace place = workplace();
+    new WindowStipple(place); // the window owns them, by their parent
+    new WindowBackground(place);
+}
+
+} // namespace limner
