@@ -90,10 +90,10 @@ TEST(Description, CoversEveryMember) {
     EXPECT_ALL_DESCRIBED(StippleHatching, a, b, c);
     EXPECT_ALL_DESCRIBED(Stipple, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v);
     EXPECT_ALL_DESCRIBED(Background, a, b, c, d);
-    EXPECT_ALL_DESCRIBED(Annotation, a, b, c, d, e);
+    EXPECT_ALL_DESCRIBED(Annotation, a, b, c, d, e, f, g, h, i);
     EXPECT_ALL_DESCRIBED(Output, a, b, c, d);
     EXPECT_ALL_DESCRIBED(Quality, a, b, c, d, e, f, g);
-    EXPECT_ALL_DESCRIBED(Figure, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q);
+    EXPECT_ALL_DESCRIBED(Figure, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r);
 }
 
 TEST(ParameterTable, IsInOrderAndComplete) {
