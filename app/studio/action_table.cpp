@@ -37,6 +37,7 @@ constexpr ActionRow kActions[] = {
     {"edit.add-lens", TEXT("Add &lens"), TEXT("Add a lens under which what matters shows through"), "Ctrl+L", ""},
     {"edit.stipple", TEXT("St&ipple"), TEXT("Draw the figure with dots and lines of ink, and show their panel"),
      "Ctrl+I", ""},
+    {"edit.add-label", TEXT("Add la&bel"), TEXT("Click on a structure in the picture and write its name"), "T", ""},
     {"edit.-3", "", "", "", ""},
     {"edit.scissors", TEXT("&Scissors"), TEXT("Cut away what an outline drawn in the picture encloses"), "X", ""},
     {"edit.keep-island", TEXT("&Keep the island here"),

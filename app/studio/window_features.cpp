@@ -1,5 +1,6 @@
 #include "app/studio/main_window.h"
 
+#include "app/studio/window_annotations.h"
 #include "app/studio/window_background.h"
 #include "app/studio/window_stipple.h"
 #include "widgets/job.h"
@@ -44,6 +45,7 @@ void MainWindow::buildFeatures() {
     const Workplace place = workplace();
     new WindowStipple(place); // the window owns them, by their parent
     new WindowBackground(place);
+    new WindowAnnotations(place);
 }
 
 } // namespace limner

@@ -1,7 +1,7 @@
 #include "core/figure/label_places.h"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 #include <numeric>
 
 namespace limner::label_places {
@@ -137,49 +137,63 @@ struct Sides {
     std::vector<std::size_t> left, right;
 };
 
+/// How the labels without a side of their own, sorted by x, fall apart.
+struct Parting {
+    std::size_t count = 0; ///< of those that go to the left
+    double left = 0;       ///< heights of the columns
+    double right = 0;
+
+    void toTheLeft(double height) {
+        ++count;
+        left += height;
+        right -= height;
+    }
+    void toTheRight(double height) {
+        --count;
+        left -= height;
+        right += height;
+    }
+};
+
 /// By x, so that no leader to the left crosses one to the right; as near to the sheet's middle as the columns' room
 /// allows. What the user gave a side keeps it.
 Sides split(const Scene& scene, std::span<const std::size_t> free, double leftRoom, double rightRoom) {
     Sides sides;
     std::vector<std::size_t> open;
-    double leftHeight = 0;
-    double rightHeight = 0;
+    Parting parting;
+    const double middleX = scene.sheet.sizeMm.x / 2;
     const auto height = [&](std::size_t i) { return scene.labels[i].sizeMm.y + scene.sheet.gapMm; };
+    const auto x = [&](std::size_t i) { return scene.labels[i].anchorMm.x; };
     for (const std::size_t i : free) {
-        if (scene.labels[i].side == LabelSide::left) {
-            sides.left.push_back(i);
-            leftHeight += height(i);
-        } else if (scene.labels[i].side == LabelSide::right) {
-            sides.right.push_back(i);
-            rightHeight += height(i);
-        } else {
+        const LabelSide side = scene.labels[i].side;
+        const bool left = side == LabelSide::left || (side == LabelSide::automatic && x(i) < middleX);
+        (left ? parting.left : parting.right) += height(i);
+        if (side == LabelSide::automatic) {
             open.push_back(i);
+            parting.count += left ? 1 : 0;
+        } else {
+            (left ? sides.left : sides.right).push_back(i);
         }
     }
-    std::stable_sort(open.begin(), open.end(), [&](std::size_t a, std::size_t b) {
-        return scene.labels[a].anchorMm.x < scene.labels[b].anchorMm.x;
-    });
-    std::size_t count = 0; // of those that go to the left
-    for (const std::size_t i : open) {
-        if (scene.labels[i].anchorMm.x < scene.sheet.sizeMm.x / 2) {
-            leftHeight += height(i);
-            ++count;
-        } else {
-            rightHeight += height(i);
-        }
+    std::stable_sort(open.begin(), open.end(), [&](std::size_t a, std::size_t b) { return x(a) < x(b); });
+    const auto next = [&] { return height(open[parting.count]); };
+    const auto last = [&] { return height(open[parting.count - 1]); };
+    // Points near the middle may as well go to the emptier side.
+    const auto nearMiddle = [&](std::size_t i) { return std::abs(x(i) - middleX) < scene.sheet.sizeMm.x / 16; };
+    while (parting.count < open.size() && nearMiddle(open[parting.count]) && parting.left + next() <= parting.right) {
+        parting.toTheLeft(next());
+    }
+    while (parting.count > 0 && nearMiddle(open[parting.count - 1]) && parting.right + last() <= parting.left) {
+        parting.toTheRight(last());
     }
     const auto over = [](double needed, double room) { return std::max(0.0, needed - room); };
-    while (count > 0 && over(leftHeight, leftRoom) > over(rightHeight + height(open[count - 1]), rightRoom)) {
-        --count;
-        leftHeight -= height(open[count]);
-        rightHeight += height(open[count]);
+    while (parting.count > 0 && over(parting.left, leftRoom) > over(parting.right + last(), rightRoom)) {
+        parting.toTheRight(last());
     }
-    while (count < open.size() && over(rightHeight, rightRoom) > over(leftHeight + height(open[count]), leftRoom)) {
-        leftHeight += height(open[count]);
-        rightHeight -= height(open[count]);
-        ++count;
+    while (parting.count < open.size() && over(parting.right, rightRoom) > over(parting.left + next(), leftRoom)) {
+        parting.toTheLeft(next());
     }
-    const auto middle = open.begin() + static_cast<std::ptrdiff_t>(count);
+    const auto middle = open.begin() + static_cast<std::ptrdiff_t>(parting.count);
     sides.left.insert(sides.left.end(), open.begin(), middle);
     sides.right.insert(sides.right.end(), middle, open.end());
     return sides;

@@ -27,8 +27,11 @@ class Ring {
         }
         glm::dvec2 low(scene.sheet.marginMm);
         glm::dvec2 high = scene.sheet.sizeMm - scene.sheet.marginMm;
-        for (const SheetBox& box : scene.sheet.taken) { // strips at the top and the bottom
+        for (const SheetBox& box : scene.sheet.taken) { // strips at the top and the bottom; corners are left aside
             const double middle = (box.lowMm.y + box.highMm.y) / 2;
+            if (box.lowMm.x > scene.sheet.sizeMm.x / 2 || box.highMm.x < scene.sheet.sizeMm.x / 2) {
+                continue;
+            }
             if (middle < scene.sheet.sizeMm.y / 4) {
                 low.y = std::max(low.y, box.highMm.y + scene.sheet.gapMm);
             } else if (middle > scene.sheet.sizeMm.y * 3 / 4) {
@@ -73,6 +76,17 @@ class Ring {
                 angles_[a] -= kStep;
                 angles_[b] += kStep;
                 moved = true;
+            }
+        }
+        for (const std::size_t i : members_) { // away from what stands in the corners
+            for (const SheetBox& box : scene_.sheet.taken) {
+                const glm::dvec2 gap(scene_.sheet.gapMm);
+                if (SheetBox{box.lowMm - gap, box.highMm + gap}.overlaps(placed[i].box)) {
+                    const glm::dvec2 from = (box.lowMm + box.highMm) / 2.0 - centre_;
+                    const glm::dvec2 to = (placed[i].box.lowMm + placed[i].box.highMm) / 2.0 - centre_;
+                    angles_[i] += from.x * to.y - from.y * to.x < 0 ? -kStep : kStep;
+                    moved = true;
+                }
             }
         }
         return moved;
