@@ -12,6 +12,8 @@
 #include <QEvent>
 #include <QMainWindow>
 
+#include <utility>
+
 namespace limner {
 
 WindowAnnotations::WindowAnnotations(const Workplace& place)
@@ -40,6 +42,12 @@ void WindowAnnotations::connectTool() {
             return;
         }
         showPanel();
+        for (auto* other : place_.viewport->findChildren<ToolOverlay*>()) { // one tool at a time
+            if (other == tool_)
+                continue;
+            other->layDown();
+            connect(other, &ToolOverlay::takenChanged, this, &WindowAnnotations::otherTaken, Qt::UniqueConnection);
+        }
         tool_->take();
     });
     connect(tool_, &LabelTool::takenChanged, action, &QAction::setChecked);
@@ -47,6 +55,11 @@ void WindowAnnotations::connectTool() {
     connect(tool_, &LabelTool::labelled, this,
             [this] { form_->writeWords(place_.document->figure()->annotations.size() - 1); });
     connect(form_, &AnnotationForm::labelWanted, action, &QAction::trigger);
+}
+
+void WindowAnnotations::otherTaken(bool taken) {
+    if (taken)
+        tool_->layDown();
 }
 
 void WindowAnnotations::showPanel() {
@@ -62,10 +75,16 @@ void WindowAnnotations::showFigure() {
     place_.actions->at("edit.add-label")->setEnabled(figure != nullptr);
 }
 
+void WindowAnnotations::showPlaces() {
+    const ScreenPicture& picture = *place_.viewport->picture();
+    if (std::exchange(shown_, picture.image.cacheKey()) != picture.image.cacheKey())
+        form_->setPlaces(picture.annotations);
+}
+
 bool WindowAnnotations::eventFilter(QObject* watched, QEvent* event) {
     // A new picture makes the viewport paint: the list says then which of them are in it.
     if (watched == place_.viewport && event->type() == QEvent::Paint && place_.viewport->picture())
-        form_->setPlaces(place_.viewport->picture()->annotations);
+        showPlaces();
     return QObject::eventFilter(watched, event);
 }
 

@@ -27,12 +27,15 @@ class WindowAnnotations : public QObject {
     void connectTool();
     void showFigure();
     void showPanel();
+    void showPlaces();
+    void otherTaken(bool taken);
 
     Workplace place_;
     AnnotationForm* form_;
     AnnotationOverlay* overlay_;
     LabelTool* tool_;
     QDockWidget* panel_;
+    qint64 shown_ = 0; ///< the picture whose places the list has
 };
 
 } // namespace limner

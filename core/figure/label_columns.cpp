@@ -112,7 +112,8 @@ class Column {
     /// The first top from `y` on where nothing is taken.
     [[nodiscard]] double freeFrom(double y, double height) const {
         for (const auto& [low, high] : blocked_) {
-            if (y < high && y + height > low) {
+            constexpr double kRounding = 1e-9; // mm: a box that ends where an obstacle begins
+            if (y < high && y + height > low + kRounding) {
                 y = high;
             }
         }
@@ -228,6 +229,28 @@ std::size_t disturbed(const Scene& scene, std::span<const std::size_t> free, std
         std::count_if(free.begin(), free.end(), [&](std::size_t i) { return disturbs(scene, i, all, placed); }));
 }
 
+/// Moves boxes outwards whose points lie under their own column, as far as the sheet allows: else their leaders would
+/// go back through the words.
+void moveOutwards(const Scene& scene, std::span<const std::size_t> free, std::span<const std::size_t> all,
+                  std::vector<PlacedLabel>& placed) {
+    constexpr double kLeader = 3; // mm: long enough to be seen as one
+    for (const std::size_t i : free) {
+        const PlacedLabel before = placed[i];
+        const LabelBox& label = scene.labels[i];
+        const bool left = before.portMm.x >= before.box.highMm.x;
+        const double wished = label.anchorMm.x + (left ? -kLeader : kLeader);
+        const double limit = left ? label.sizeMm.x : scene.sheet.sizeMm.x - label.sizeMm.x;
+        const bool back = left ? wished < before.portMm.x : wished > before.portMm.x;
+        const bool fits = left ? wished >= limit : wished <= limit;
+        if (back && fits) {
+            placed[i] = besidePort(label, {wished, before.portMm.y}, left);
+            if (disturbs(scene, i, all, placed)) {
+                placed[i] = before;
+            }
+        }
+    }
+}
+
 } // namespace
 
 void layColumns(const Scene& scene, std::span<const std::size_t> free, std::vector<PlacedLabel>& placed) {
@@ -262,6 +285,7 @@ void layColumns(const Scene& scene, std::span<const std::size_t> free, std::vect
             placed = tried;
         }
     }
+    moveOutwards(scene, free, all, placed);
 }
 
 } // namespace limner::label_places

@@ -28,6 +28,41 @@ PaperBlock textBlock(const BlockContext& context, const std::string& text, const
     return block;
 }
 
+/// An arm of the orientation mark, as long as the camera sees it, 1 at the most.
+struct Arm {
+    glm::dvec2 seen{0}; ///< to the right, downwards
+    std::string letters;
+};
+
+/// The patient's axes as the camera sees them; where letters would lie on each other, what lies towards the four edges.
+std::vector<Arm> armsOf(const Camera& camera) {
+    // LPS: x to the patient's left, y to the back, z to the head.
+    const std::array<std::array<const char*, 2>, 3> names{{{"L", "R"}, {"P", "A"}, {"S", "I"}}};
+    const CameraFrame frame = cameraFrame(camera);
+    std::vector<Arm> arms;
+    for (int axis = 0; axis < 3; ++axis) {
+        const glm::dvec2 seen(frame.right[axis], -frame.up[axis]);
+        constexpr double kShortest = 0.3; // an axis that comes nearly straight at the viewer has no letter on paper
+        if (glm::length(seen) >= kShortest) {
+            arms.push_back({seen, names[static_cast<std::size_t>(axis)][0]});
+            arms.push_back({-seen, names[static_cast<std::size_t>(axis)][1]});
+        }
+    }
+    constexpr double kNearest = 0.6; // between letters' middles, of an arm's length: they are as wide as that
+    const auto end = [](const Arm& arm) { return arm.seen + 0.44 * glm::normalize(arm.seen); };
+    bool clash = false;
+    for (std::size_t i = 0; i < arms.size(); ++i) {
+        for (std::size_t k = i + 1; k < arms.size(); ++k) {
+            clash = clash || glm::distance(end(arms[i]), end(arms[k])) < kNearest;
+        }
+    }
+    if (clash) {
+        const EdgeLetters edges = edgeLetters(camera);
+        arms = {{{-1, 0}, edges.left}, {{1, 0}, edges.right}, {{0, -1}, edges.top}, {{0, 1}, edges.bottom}};
+    }
+    return arms;
+}
+
 /// What a style or a colour of the figure is called.
 struct LegendRow {
     std::string name;
@@ -107,38 +142,22 @@ PaperBlock scaleBarBlock(const BlockContext& context) {
 }
 
 PaperBlock orientationBlock(const BlockContext& context) {
-    struct Axis {
-        glm::dvec3 direction;
-        const char *towards, *away;
-    };
-    // LPS: x to the patient's left, y to the back, z to the head.
-    const std::array<Axis, 3> axes{Axis{{1, 0, 0}, "L", "R"}, Axis{{0, 1, 0}, "P", "A"}, Axis{{0, 0, 1}, "S", "I"}};
-    const CameraFrame frame = cameraFrame(context.figure.camera);
     TextStyle style = context.style();
     style.align = TextAlign::centre;
-    const TextBlock measure = setText("M", style);
-    const double em = measure.emMm;
+    const double em = setText("M", style).emMm;
     const double radius = 1.7 * em;
     const double reach = radius + 0.75 * em; // of the letters' middles
     PaperBlock block;
     block.sizeMm = glm::dvec2(2 * reach + 1.1 * em);
     block.handleMm = block.sizeMm / 2.0;
-    for (const Axis& axis : axes) {
-        const glm::dvec2 seen(glm::dot(axis.direction, frame.right), -glm::dot(axis.direction, frame.up));
-        constexpr double kShortest = 0.3; // an axis that comes nearly straight at the viewer has no letter on paper
-        if (glm::length(seen) < kShortest) {
-            continue;
-        }
-        addLine(block.lines, block.handleMm - seen * radius, block.handleMm + seen * radius, 1.4 * kLineMm,
-                context.ink);
-        for (const double sign : {1.0, -1.0}) {
-            const glm::dvec2 along = glm::normalize(seen) * sign;
-            const glm::dvec2 middle = block.handleMm + seen * sign * radius + along * (reach - radius);
-            TextBlock letter = setText(sign > 0 ? axis.towards : axis.away, style);
-            const glm::dvec2 ink(letter.sizeMm.x / 2,
-                                 letter.baselinesMm[0] - letter.runs[0].face->metrics().capHeight / 2 * em);
-            block.texts.push_back({std::move(letter), middle - ink, context.ink});
-        }
+    for (const Arm& arm : armsOf(context.figure.camera)) {
+        addLine(block.lines, block.handleMm, block.handleMm + arm.seen * radius, 1.4 * kLineMm, context.ink);
+        const glm::dvec2 along = glm::normalize(arm.seen);
+        const glm::dvec2 middle = block.handleMm + arm.seen * radius + along * (reach - radius);
+        TextBlock letters = setText(arm.letters, style);
+        const glm::dvec2 ink(letters.sizeMm.x / 2,
+                             letters.baselinesMm[0] - letters.runs[0].face->metrics().capHeight / 2 * em);
+        block.texts.push_back({std::move(letters), middle - ink, context.ink});
     }
     return block;
 }

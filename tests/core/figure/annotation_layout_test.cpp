@@ -121,6 +121,23 @@ TEST(AnnotationLayout, ColumnsStandAtTheEdgesNearTheirPoints) {
     EXPECT_EQ(placed[0].box.lowMm, glm::dvec2(4, 48.5));
 }
 
+TEST(AnnotationLayout, ABoxOverItsOwnPointMovesOutwards) {
+    LabelSheet sheet;
+    sheet.sizeMm = kSheet;
+    LabelBox wide;
+    wide.sizeMm = {40, 3};
+    wide.portDownMm = 1.5;
+    wide.anchorMm = {100, 100};
+    LabelBox narrow = wide;
+    narrow.sizeMm.x = 20;
+    narrow.anchorMm = {150, 50}; // the column begins at 136
+    const auto placed = layOutLabels(sheet, std::vector{wide, narrow});
+    EXPECT_EQ(placed[0].portMm.x, 136);
+    EXPECT_EQ(placed[1].portMm.x, 153);
+    narrow.anchorMm.x = 170; // too near to the edge: it stays
+    EXPECT_EQ(layOutLabels(sheet, std::vector{wide, narrow})[1].portMm.x, 136);
+}
+
 TEST(AnnotationLayout, AGivenSideIsKept) {
     LabelSheet sheet;
     sheet.sizeMm = kSheet;

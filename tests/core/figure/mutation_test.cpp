@@ -53,7 +53,7 @@ std::string mutated(std::string text, Random& random) {
 }
 
 TEST(FigureMutations, AreRefusedInOneLineOrComeBackEqual) {
-    std::ifstream file(LIMNER_SOURCE_DIR "/tests/core/figure/example_figure.json");
+    std::ifstream file(std::string(LIMNER_SOURCE_DIR) + "/tests/core/figure/example_figure.json");
     std::ostringstream original;
     original << file.rdbuf();
     constexpr int kRuns = 4000; // a second or two
