@@ -156,6 +156,7 @@ void MainWindow::buildMenus() {
     add("view", tr("&View"));
     menuBar()->addMenu(presets_);
     menuBar()->addMenu(themes_);
+    add("looks", tr("&Looks"));
     add("styles", tr("&Styles"));
     add("background", tr("Back&ground"));
     add("window", tr("&Window"));

@@ -1,6 +1,7 @@
 #include "app/studio/main_window.h"
 
 #include "app/studio/window_background.h"
+#include "app/studio/window_looks.h"
 #include "app/studio/window_slices.h"
 #include "app/studio/window_stipple.h"
 #include "app/studio/window_view.h"
@@ -66,6 +67,7 @@ void MainWindow::buildFeatures() {
     new WindowBackground(place);
     new WindowView(place);
     new WindowSlices(place);
+    new WindowLooks(place, [this] { return thumbnail(); });
     new WindowWorkspace(place);
     arrangePanels();
 }
