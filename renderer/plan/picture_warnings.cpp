@@ -1,5 +1,6 @@
 #include "renderer/plan/picture_warnings.h"
 
+#include "core/base/machine.h"
 #include "core/figure/quantity.h"
 
 #include <glm/common.hpp>
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <unistd.h>
 
 namespace limner {
 namespace {
@@ -71,12 +71,10 @@ void warnOfGrids(const RenderPlan& plan, std::vector<std::string>& warnings) {
 }
 
 void warnOfMemory(const RenderPlan& plan, std::vector<std::string>& warnings) {
-    const double machine = static_cast<double>(std::max(sysconf(_SC_PHYS_PAGES), 1L)) *
-                           static_cast<double>(std::max(sysconf(_SC_PAGESIZE), 1L));
+    const std::uint64_t machine = machineMemory();
     const std::size_t held = plan.bytes + plan.volume->bytes();
-    if (static_cast<double>(held) > kMemoryShare * machine)
-        warnings.push_back("the figure holds " + formatBytes(held) + " of the machine's " +
-                           formatBytes(static_cast<std::uint64_t>(machine)) +
+    if (static_cast<double>(held) > kMemoryShare * static_cast<double>(machine))
+        warnings.push_back("the figure holds " + formatBytes(held) + " of the machine's " + formatBytes(machine) +
                            ": keep its voxels in eight bits (precision), or crop the scan");
 }
 
