@@ -56,6 +56,15 @@ Clip firstClip(const Figure& figure) {
     return clip;
 }
 
+/// The figure always has a clip; one that cuts nothing is an absent one.
+PartFormOf<Clip>::Access figureClip() {
+    return {[](const Figure& figure, std::size_t) {
+                return figure.clip == Clip{} ? std::optional<Clip>() : std::optional(figure.clip);
+            },
+            [](Figure& figure, std::size_t, std::optional<Clip> clip) { figure.clip = clip.value_or(Clip{}); },
+            firstClip};
+}
+
 QString planeText(std::size_t index, const ClipPlane& plane) {
     return ClipForm::tr("Plane %1: %2 side cut away")
         .arg(index + 1)
@@ -64,9 +73,10 @@ QString planeText(std::size_t index, const ClipPlane& plane) {
 
 } // namespace
 
-ClipForm::ClipForm()
-    : PartFormOf<Clip>("/layers/*/clip", layerPart<&Layer::clip>(firstClip)),
-      box_(new QCheckBox(labelOfSetting("/layers/*/clip/box_mm"))), boxRows_(new QWidget), planes_(new QListWidget),
+ClipForm::ClipForm(Of of)
+    : PartFormOf<Clip>(of == Of::layer ? "/layers/*/clip" : "/clip",
+                       of == Of::layer ? layerPart<&Layer::clip>(firstClip) : figureClip()),
+      box_(new QCheckBox(labelOfSetting(at("box_mm")))), boxRows_(new QWidget), planes_(new QListWidget),
       cutHere_(new QPushButton(tr("Cut along the view here"))), flip_(new QPushButton(tr("Flip"))),
       remove_(new QPushButton(tr("Remove"))), face_(new QComboBox),
       faceColour_(new ColourButton(tr("Colour of cuts"))) {
@@ -81,7 +91,7 @@ ClipForm::ClipForm()
 }
 
 void ClipForm::buildBox() {
-    box_->setToolTip(helpOfSetting("/layers/*/clip/box_mm"));
+    box_->setToolTip(helpOfSetting(at("box_mm")));
     QFormLayout* form = formLayout(boxRows_);
     const QString names[] = {tr("Right to left"), tr("Front to back"), tr("Bottom to top")};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -130,8 +140,8 @@ void ClipForm::moveBoxEnd(std::size_t axis, std::size_t end, double mm) {
 void ClipForm::buildPlanes() {
     planes_->setFixedHeight(kListHeight);
     planes_->setUniformItemSizes(true);
-    planes_->setAccessibleName(labelOfSetting("/layers/*/clip/planes"));
-    planes_->setToolTip(helpOfSetting("/layers/*/clip/planes"));
+    planes_->setAccessibleName(labelOfSetting(at("planes")));
+    planes_->setToolTip(helpOfSetting(at("planes")));
     cutHere_->setToolTip(tr("Add a plane through the middle of the view that faces the viewer: what is nearer goes"));
     flip_->setToolTip(tr("Cut away the other side of the chosen plane"));
     remove_->setToolTip(tr("Remove the chosen plane"));
@@ -143,8 +153,11 @@ void ClipForm::buildPlanes() {
     buttons->addStretch(1);
     rows()->addRow(planes_);
     rows()->addRow(buttons);
-    offset_ = addRow("/layers/*/clip/planes/*/offset_mm", {-250, 250, 1}, {});
-    connect(planes_, &QListWidget::currentRowChanged, this, &ClipForm::showPlane);
+    offset_ = addRow(at("planes/*/offset_mm"), {-250, 250, 1}, {});
+    connect(planes_, &QListWidget::currentRowChanged, this, [this] {
+        showPlane();
+        Q_EMIT planeChosen();
+    });
     connect(cutHere_, &QPushButton::clicked, this, [this] {
         const std::size_t before = shown_.size();
         change(tr("Cut along the view"), {}, false,
@@ -182,17 +195,17 @@ void ClipForm::changePlane(const QString& label, const std::string& key, bool on
 }
 
 void ClipForm::buildFace() {
-    face_->setToolTip(helpOfSetting("/layers/*/clip/face"));
-    face_->setAccessibleName(labelOfSetting("/layers/*/clip/face"));
+    face_->setToolTip(helpOfSetting(at("face")));
+    face_->setAccessibleName(labelOfSetting(at("face")));
     face_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     leaveWheelToPanel(face_);
-    faceColour_->setToolTip(helpOfSetting("/layers/*/clip/face/rgb"));
+    faceColour_->setToolTip(helpOfSetting(at("face/rgb")));
     auto* pair = new QWidget;
     auto* row = new QHBoxLayout(pair);
     row->setContentsMargins(0, 0, 0, 0);
     row->addWidget(face_, 1);
     row->addWidget(faceColour_);
-    addLabelled(rows(), labelOfSetting("/layers/*/clip/face"), pair, face_);
+    addLabelled(rows(), labelOfSetting(at("face")), pair, face_);
     connect(face_, &QComboBox::activated, this, &ClipForm::chooseFace);
     connect(faceColour_, &ColourButton::chosen, this, [this](const glm::dvec3& rgb) {
         change(tr("Change colour of cuts"), {}, false, [&](Clip& clip) { clip.face = CutFace{{}, rgb}; });

@@ -12,10 +12,13 @@ class QPushButton;
 
 namespace limner {
 
-/// What is cut away from one layer: a box, planes, and how the faces of the cuts are drawn.
+/// What is cut away from one layer or from the whole figure: a box, planes, and how the faces of the cuts are drawn.
 class ClipForm : public PartFormOf<Clip> {
+    Q_OBJECT
+
   public:
-    ClipForm();
+    enum class Of { layer, figure };
+    explicit ClipForm(Of of = Of::layer);
 
     [[nodiscard]] QCheckBox* box() const { return box_; }
     /// Low (0) or high (1) end of the box along x, y or z.
@@ -27,6 +30,11 @@ class ClipForm : public PartFormOf<Clip> {
     [[nodiscard]] ParameterRow* offset() const { return offset_; }
     [[nodiscard]] QComboBox* face() const { return face_; }
     [[nodiscard]] ColourButton* faceColour() const { return faceColour_; }
+    /// The chosen one of the list; null: none.
+    [[nodiscard]] std::optional<std::size_t> chosenPlane() const;
+
+  Q_SIGNALS:
+    void planeChosen();
 
   private:
     void buildBox();
@@ -41,7 +49,8 @@ class ClipForm : public PartFormOf<Clip> {
     /// Changes the chosen plane; nothing where none is chosen.
     void changePlane(const QString& label, const std::string& key, bool ongoing,
                      const std::function<void(ClipPlane&)>& by);
-    [[nodiscard]] std::optional<std::size_t> chosenPlane() const;
+    /// Of a setting of the clip: "box_mm".
+    [[nodiscard]] std::string at(const char* setting) const { return pointer() + "/" + setting; }
 
     QCheckBox* box_;
     QWidget* boxRows_;

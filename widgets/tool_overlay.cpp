@@ -30,6 +30,8 @@ void ToolOverlay::setFigure(std::shared_ptr<const Figure> figure) {
 void ToolOverlay::take() {
     if (!figure_ || !figure_->volume || !figure_->volume->data || taken())
         return;
+    for (ToolOverlay* other : viewport_->findChildren<ToolOverlay*>()) // a hand holds one tool
+        other->layDown();
     reset();
     setGeometry(viewport_->rect());
     setAccessibleDescription(hint());

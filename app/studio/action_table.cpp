@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QKeySequence>
 #include <QMainWindow>
+#include <QSettings>
 
 #include <cassert>
 
@@ -42,6 +43,8 @@ constexpr ActionRow kActions[] = {
     {"edit.scissors", TEXT("&Scissors"), TEXT("Cut away what an outline drawn in the picture encloses"), "X", ""},
     {"edit.keep-island", TEXT("&Keep the island here"),
      TEXT("Click on the part that stays; what is not connected with it goes"), "K", ""},
+    {"view.measure", TEXT("&Measure"), TEXT("Click on two places of the figure: how far they are from each other"), "M",
+     ""},
     {"view.anterior", TEXT("&Anterior"), TEXT("Look at the patient's front"), "1", TEXT("Front")},
     {"view.posterior", TEXT("&Posterior"), TEXT("Look at the patient's back"), "2", TEXT("Back")},
     {"view.left", TEXT("&Left"), TEXT("Look at the patient's left side"), "3", TEXT("Left")},
@@ -57,6 +60,15 @@ constexpr ActionRow kActions[] = {
     {"view.-2", "", "", "", ""},
     {"view.free-turning", TEXT("Turn freel&y"), TEXT("Turn about any axis instead of keeping the horizon level"), "",
      ""},
+    {"looks.variants", TEXT("&Variants…"),
+     TEXT("A sheet of the figure in other looks, or with a setting at several values; take one"), "Ctrl+Shift+V", ""},
+    {"looks.-1", "", "", "", ""},
+    {"looks.mine", TEXT("&Mine"), TEXT("Lay a look of your own over the figure"), "", ""},
+    {"looks.keep", TEXT("&Keep this look…"),
+     TEXT("Keep styles, layers and ink of this figure under a name, for other scans"), "", ""},
+    {"looks.import", TEXT("&Import look…"), TEXT("Take the look of a file or of a project into your own looks"), "",
+     ""},
+    {"looks.remove", TEXT("&Remove"), TEXT("Delete one of your own looks"), "", ""},
     {"styles.find", TEXT("&Find a style"), TEXT("Search the gallery of styles"), "Ctrl+F", ""},
     {"styles.import", TEXT("&Import picture…"), TEXT("Add a picture of a shaded ball to your own styles"), "", ""},
     {"styles.extract", TEXT("Take from &artwork…"), TEXT("Take a style from a scanned drawing or painting"), "Ctrl+T",
@@ -64,10 +76,26 @@ constexpr ActionRow kActions[] = {
     {"background.paper", TEXT("Paper &colour…"), TEXT("Lay the figure on a plain paper of a colour"), "", ""},
     {"background.picture", TEXT("&Picture…"), TEXT("Lay the figure over a picture, an artwork or a sheet of paper"), "",
      ""},
+    {"window.commands", TEXT("&Commands…"), TEXT("Find any command by its name and do it"), "Ctrl+Shift+P", ""},
+    {"window.shortcuts", TEXT("&Shortcuts…"), TEXT("See and change the keys of all commands"), "", ""},
+    {"window.layouts", TEXT("&Layouts"), TEXT("Arrangements of the panels"), "", ""},
+    {"window.theme", TEXT("Co&lours"), TEXT("Light or dark colours of the window"), "", ""},
+    {"window.language", TEXT("Lan&guage"), TEXT("Language of the window; the change shows at the next start"), "", ""},
+    {"window.only-picture", TEXT("Only the &picture"), TEXT("Hide all panels, or bring them back"), "Shift+F11", ""},
+    {"window.full-screen", TEXT("&Full screen"), TEXT("Use the whole screen, or the window again"), "F11", ""},
+    {"window.-1", "", "", "", ""},
     {"help.about", TEXT("&About Limner"), TEXT("Version and licence"), "", ""},
 };
 
 #undef TEXT
+
+QString settingOf(const QString& id) { return "shortcuts/" + id; }
+
+void giveKeys(QAction& action, const QKeySequence& keys) {
+    const QString tip = action.statusTip();
+    action.setShortcut(keys);
+    action.setToolTip(keys.isEmpty() ? tip : Actions::tr("%1 (%2)").arg(tip, keys.toString(QKeySequence::NativeText)));
+}
 
 QString translated(const char* text) { return QCoreApplication::translate("Actions", text); }
 
@@ -81,16 +109,27 @@ Actions::Actions(QMainWindow* window) : QObject(window) {
         action->setObjectName(row.id);
         action->setSeparator(!*row.text);
         if (*row.text) {
-            const QKeySequence keys(row.shortcut, QKeySequence::PortableText);
-            const QString tip = translated(row.tip);
-            action->setShortcut(keys);
-            action->setToolTip(keys.isEmpty() ? tip : tr("%1 (%2)").arg(tip, keys.toString(QKeySequence::NativeText)));
-            action->setStatusTip(tip);
+            action->setStatusTip(translated(row.tip));
+            const QVariant own = QSettings().value(settingOf(row.id));
+            giveKeys(*action,
+                     own.isValid() ? QKeySequence(own.toString(), QKeySequence::PortableText) : standardShortcut(row));
             if (*row.brief)
                 action->setIconText(translated(row.brief));
         }
         actions_.insert(row.id, action);
     }
+}
+
+QKeySequence Actions::standardShortcut(const ActionRow& row) { return {row.shortcut, QKeySequence::PortableText}; }
+
+void Actions::setShortcut(const QString& id, const QKeySequence& keys) {
+    giveKeys(*at(id), keys);
+    for (const ActionRow& row : actionTable())
+        if (id == row.id && keys == standardShortcut(row)) {
+            QSettings().remove(settingOf(id));
+            return;
+        }
+    QSettings().setValue(settingOf(id), keys.toString(QKeySequence::PortableText));
 }
 
 QAction* Actions::at(const QString& id) const {

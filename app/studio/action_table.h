@@ -7,12 +7,13 @@
 #include <span>
 
 class QAction;
+class QKeySequence;
 class QMainWindow;
 
 namespace limner {
 
-/// One command of the program. Menus, tool bars, short cuts, tool tips and (later) the command palette read this table
-/// and nothing else.
+/// One command of the program. Menus, tool bars, shortcuts, tool tips and the command palette read this table and
+/// nothing else.
 struct ActionRow {
     const char* id;       ///< "file.open"; what stands before the dot names the menu. "file.-" is a separator
     const char* text;     ///< for the menu, with its mnemonic
@@ -31,6 +32,9 @@ class Actions : public QObject {
     explicit Actions(QMainWindow* window);
     /// Asserts that the id is in the table.
     [[nodiscard]] QAction* at(const QString& id) const;
+    /// The user's own keys for a command, kept from one start of the program to the next; those of the table are not.
+    void setShortcut(const QString& id, const QKeySequence& keys);
+    [[nodiscard]] static QKeySequence standardShortcut(const ActionRow& row);
 
   private:
     QHash<QString, QAction*> actions_;

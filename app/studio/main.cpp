@@ -1,5 +1,7 @@
 #include "app/studio/main_window.h"
+#include "app/studio/studio_language.h"
 #include "app/studio/studio_theme.h"
+#include "app/studio/window_workspace.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -29,7 +31,8 @@ int main(int argc, char** argv) {
     QApplication::setApplicationName("limner-studio");
     QApplication::setApplicationDisplayName("Limner Studio");
     QApplication::setApplicationVersion(LIMNER_VERSION);
-    limner::applyStudioTheme(application);
+    limner::applyStudioLanguage(application);
+    limner::applyStudioTheme(application, limner::chosenStudioTheme());
 
     QCommandLineParser arguments;
     arguments.setApplicationDescription(
@@ -42,6 +45,9 @@ int main(int argc, char** argv) {
     arguments.process(application);
 
     limner::MainWindow window(limner::makeEngine());
+    auto* workspace = window.findChild<limner::WindowWorkspace*>();
+    workspace->restoreLast();
+    QObject::connect(&application, &QCoreApplication::aboutToQuit, workspace, &limner::WindowWorkspace::keepLast);
     window.show();
     if (!arguments.positionalArguments().isEmpty())
         window.openPath(arguments.positionalArguments().front().toStdString());

@@ -39,8 +39,6 @@ namespace limner {
 namespace {
 
 constexpr QSize kFirstSize(1400, 900);
-constexpr int kGalleryWidth = 264; // a card with its two pictures side by side
-constexpr int kPanelWidth = 390;
 
 } // namespace
 
@@ -118,14 +116,12 @@ void MainWindow::buildPanels() {
     importance_ = new ImportanceForm;
     measuresRest_ = new QTimer(this);
     measuresRest_->setSingleShot(true);
-    QDockWidget* gallery = dock(this, "dock.styles", tr("Styles"), gallery_, Qt::LeftDockWidgetArea);
-    QDockWidget* layers = dock(this, "dock.layers", tr("Layers"), layersAndLabels, Qt::RightDockWidgetArea);
+    dock(this, "dock.styles", tr("Styles"), gallery_, Qt::LeftDockWidgetArea);
+    dock(this, "dock.layers", tr("Layers"), layersAndLabels, Qt::RightDockWidgetArea);
     QDockWidget* transfer = dock(this, "dock.transfer", tr("Transfer function"), transfer_, Qt::RightDockWidgetArea);
     importanceDock_ = dock(this, "dock.importance", tr("Importance"), importance_, Qt::RightDockWidgetArea);
     tabifyDockWidget(transfer, importanceDock_);
     transfer->raise();
-    resizeDocks({gallery, layers}, {kGalleryWidth, kPanelWidth}, Qt::Horizontal);
-    resizeDocks({layers, transfer}, {460, 300}, Qt::Vertical);
     std::vector<QWidget*> order{viewport_, lens_};
     const std::vector<QWidget*> ofGallery = gallery_->tabOrder();
     order.insert(order.end(), ofGallery.begin(), ofGallery.end());
@@ -160,16 +156,17 @@ void MainWindow::buildMenus() {
     add("view", tr("&View"));
     menuBar()->addMenu(presets_);
     menuBar()->addMenu(themes_);
+    add("looks", tr("&Looks"));
     add("styles", tr("&Styles"));
     add("background", tr("Back&ground"));
-    add("panels", tr("Pa&nels"));
+    add("window", tr("&Window"));
     add("help", tr("&Help"));
     for (const ActionRow& row : actionTable()) {
         const QString id = row.id;
         menus[id.section('.', 0, 0)]->addAction(actions_->at(id));
     }
     for (const QDockWidget* panel : findChildren<QDockWidget*>())
-        menus["panels"]->addAction(panel->toggleViewAction());
+        menus["window"]->addAction(panel->toggleViewAction());
     recent_ = new QMenu(this);
     actions_->at("file.recent")->setMenu(recent_);
     actions_->at("view.free-turning")->setCheckable(true);

@@ -108,6 +108,7 @@ class MainWindow : public QMainWindow {
     /// What the features are given, and the features (window_features.cpp).
     [[nodiscard]] Workplace workplace();
     void buildFeatures();
+    void arrangePanels();
     void buildMenus();
     void buildToolBar();
     QToolButton* addLookButton(QToolBar* bar, const QString& text, const QString& tip, QMenu* menu);

@@ -2,44 +2,80 @@
 
 #include <QApplication>
 #include <QPalette>
+#include <QSettings>
 #include <QStyleFactory>
 
 namespace limner {
+namespace {
 
-void applyStudioTheme(QApplication& application) {
-    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
-    const QColor window(0xec, 0xed, 0xef);
-    const QColor ink(0x20, 0x22, 0x26);
-    const QColor accent(0x2b, 0x6c, 0xb0);
+constexpr auto kSetting = "window/theme";
+
+/// The colours that a theme is made of. Text on `window` and `base` has a contrast of at least 4.5:1 in both.
+struct Colours {
+    QRgb window, base, alternate, button, ink, faint, disabled, mid, dark, accent, link, tip, tipText;
+    const char *title, *line, *separator, *separatorUnder;
+};
+
+constexpr Colours kLight{0xffecedef, 0xfffcfcfd, 0xfff3f4f6, 0xfff4f5f6, 0xff202226, 0xff5c626b,
+                         0xff8a8e95, 0xffb4b7bc, 0xff8c9096, 0xff2b6cb0, 0xff2b6cb0, 0xff2a2d33,
+                         0xfff2f3f5, "#dfe1e4",  "#c9ccd1",  "#d5d7db",  "#9db8d6"};
+constexpr Colours kDark{0xff2b2d31, 0xff1f2124, 0xff26282c, 0xff393c41, 0xffe3e5e8, 0xffa4a9b0,
+                        0xff7b8087, 0xff4a4e55, 0xff15171a, 0xff3d7fc4, 0xff7db4ec, 0xff45494f,
+                        0xfff2f3f5, "#35383d",  "#17191c",  "#1b1d20",  "#3d5f85"};
+
+QPalette paletteOf(const Colours& c) {
     QPalette palette;
-    palette.setColor(QPalette::Window, window);
-    palette.setColor(QPalette::WindowText, ink);
-    palette.setColor(QPalette::Base, QColor(0xfc, 0xfc, 0xfd));
-    palette.setColor(QPalette::AlternateBase, QColor(0xf3, 0xf4, 0xf6));
-    palette.setColor(QPalette::Text, ink);
-    palette.setColor(QPalette::Button, QColor(0xf4, 0xf5, 0xf6));
-    palette.setColor(QPalette::ButtonText, ink);
-    palette.setColor(QPalette::Mid, QColor(0xb4, 0xb7, 0xbc));
-    palette.setColor(QPalette::Dark, QColor(0x8c, 0x90, 0x96));
-    palette.setColor(QPalette::Highlight, accent);
-    palette.setColor(QPalette::HighlightedText, Qt::white);
-    palette.setColor(QPalette::Link, accent);
-    palette.setColor(QPalette::PlaceholderText, QColor(0x5c, 0x62, 0x6b)); // 5:1 on the window's grey
-    palette.setColor(QPalette::ToolTipBase, QColor(0x2a, 0x2d, 0x33));
-    palette.setColor(QPalette::ToolTipText, QColor(0xf2, 0xf3, 0xf5));
+    const std::pair<QPalette::ColorRole, QRgb> roles[] = {{QPalette::Window, c.window},
+                                                          {QPalette::WindowText, c.ink},
+                                                          {QPalette::Base, c.base},
+                                                          {QPalette::AlternateBase, c.alternate},
+                                                          {QPalette::Text, c.ink},
+                                                          {QPalette::Button, c.button},
+                                                          {QPalette::ButtonText, c.ink},
+                                                          {QPalette::Mid, c.mid},
+                                                          {QPalette::Dark, c.dark},
+                                                          {QPalette::Highlight, c.accent},
+                                                          {QPalette::Link, c.link},
+                                                          {QPalette::PlaceholderText, c.faint},
+                                                          {QPalette::ToolTipBase, c.tip},
+                                                          {QPalette::ToolTipText, c.tipText},
+                                                          {QPalette::HighlightedText, 0xffffffff},
+                                                          {QPalette::BrightText, 0xffffffff}};
+    for (const auto& [role, colour] : roles)
+        palette.setColor(role, QColor(colour));
     for (const auto role : {QPalette::Text, QPalette::WindowText, QPalette::ButtonText})
-        palette.setColor(QPalette::Disabled, role, QColor(0x8a, 0x8e, 0x95));
-    QApplication::setPalette(palette);
-    application.setStyleSheet(
-        QStringLiteral("QDockWidget::title { padding: 6px 8px; background: #dfe1e4; font-weight: 600; }"
-                       "QDockWidget { font-weight: 600; }"
-                       "QDockWidget > QWidget { font-weight: normal; }"
-                       "QMainWindow::separator { width: 5px; height: 5px; background: #d5d7db; }"
-                       "QMainWindow::separator:hover { background: #9db8d6; }"
-                       "QToolBar { spacing: 2px; padding: 3px 6px; border: 0; border-bottom: 1px solid #c9ccd1; }"
-                       "QToolBar QToolButton { padding: 4px 8px; }"
-                       "QStatusBar { border-top: 1px solid #c9ccd1; }"
-                       "QStatusBar::item { border: 0; }"));
+        palette.setColor(QPalette::Disabled, role, QColor(c.disabled));
+    return palette;
+}
+
+QString sheetOf(const Colours& c) {
+    return QStringLiteral("QDockWidget::title { padding: 6px 8px; background: %1; font-weight: 600; }"
+                          "QDockWidget { font-weight: 600; }"
+                          "QDockWidget > QWidget { font-weight: normal; }"
+                          "QMainWindow::separator { width: 5px; height: 5px; background: %3; }"
+                          "QMainWindow::separator:hover { background: %4; }"
+                          "QToolBar { spacing: 2px; padding: 3px 6px; border: 0; border-bottom: 1px solid %2; }"
+                          "QToolBar QToolButton { padding: 4px 8px; }"
+                          "QStatusBar { border-top: 1px solid %2; }"
+                          "QStatusBar::item { border: 0; }")
+        .arg(c.title, c.line, c.separator, c.separatorUnder);
+}
+
+} // namespace
+
+void applyStudioTheme(QApplication& application, StudioTheme theme) {
+    const Colours& colours = theme == StudioTheme::dark ? kDark : kLight;
+    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    QApplication::setPalette(paletteOf(colours));
+    application.setStyleSheet(sheetOf(colours));
+}
+
+StudioTheme chosenStudioTheme() {
+    return QSettings().value(kSetting).toString() == "dark" ? StudioTheme::dark : StudioTheme::light;
+}
+
+void chooseStudioTheme(StudioTheme theme) {
+    QSettings().setValue(kSetting, theme == StudioTheme::dark ? "dark" : "light");
 }
 
 } // namespace limner

@@ -1,10 +1,18 @@
 #pragma once
 
+#include <QString>
+
 class QApplication;
 
 namespace limner {
 
-/// The program's own look: light, neutral greys (colours are judged here), the same on every desktop.
-void applyStudioTheme(QApplication& application);
+/// Colours of the window: neutral greys (pictures are judged in it), the same on every desktop.
+enum class StudioTheme { light, dark };
+
+/// Dresses the application; may be called again at any time.
+void applyStudioTheme(QApplication& application, StudioTheme theme = StudioTheme::light);
+/// The one that the user chose last; light at first.
+StudioTheme chosenStudioTheme();
+void chooseStudioTheme(StudioTheme theme);
 
 } // namespace limner

@@ -25,13 +25,11 @@ void MainWindow::connectCleanup() {
     struct Tool {
         QAction* action;
         ToolOverlay* overlay;
-        ToolOverlay* other;
     };
-    for (const Tool& tool : {Tool{actions_->at("edit.scissors"), scissors_, island_},
-                             Tool{actions_->at("edit.keep-island"), island_, scissors_}}) {
+    for (const Tool& tool :
+         {Tool{actions_->at("edit.scissors"), scissors_}, Tool{actions_->at("edit.keep-island"), island_}}) {
         tool.action->setCheckable(true);
         connect(tool.action, &QAction::triggered, this, [tool](bool on) {
-            tool.other->layDown();
             on ? tool.overlay->take() : tool.overlay->layDown();
             tool.action->setChecked(tool.overlay->taken());
         });

@@ -2,7 +2,11 @@
 
 #include "app/studio/window_annotations.h"
 #include "app/studio/window_background.h"
+#include "app/studio/window_looks.h"
+#include "app/studio/window_slices.h"
 #include "app/studio/window_stipple.h"
+#include "app/studio/window_view.h"
+#include "app/studio/window_workspace.h"
 #include "widgets/job.h"
 #include "widgets/layer_list.h"
 #include "widgets/progress_strip.h"
@@ -41,11 +45,33 @@ Workplace MainWindow::workplace() {
             .tell = [this](const QString& message) { statusBar()->showMessage(message, kMessageMs); }};
 }
 
+void MainWindow::arrangePanels() {
+    constexpr int kGalleryWidth = 264; // a card with its two pictures side by side
+    constexpr int kPanelWidth = 390;
+    constexpr int kLayersHeight = 420, kTransferHeight = 390;
+    const auto panel = [this](const char* name) { return findChild<QDockWidget*>(name); };
+    setTabPosition(Qt::RightDockWidgetArea, QTabWidget::East); // upright there is room for all their names
+    QDockWidget* layers = panel("dock.layers");
+    QDockWidget* transfer = panel("dock.transfer");
+    for (const char* name : {"dock.view", "dock.cleanup", "dock.annotations", "dock.history"}) // about the whole figure
+        if (QDockWidget* other = panel(name))
+            tabifyDockWidget(layers, other);
+    layers->raise();
+    transfer->raise();
+    resizeDocks({panel("dock.styles"), layers}, {kGalleryWidth, kPanelWidth}, Qt::Horizontal);
+    resizeDocks({layers, transfer}, {kLayersHeight, kTransferHeight}, Qt::Vertical);
+}
+
 void MainWindow::buildFeatures() {
     const Workplace place = workplace();
     new WindowStipple(place); // the window owns them, by their parent
     new WindowBackground(place);
     new WindowAnnotations(place);
+    new WindowView(place);
+    new WindowSlices(place);
+    new WindowLooks(place, [this] { return thumbnail(); });
+    new WindowWorkspace(place);
+    arrangePanels();
 }
 
 } // namespace limner
