@@ -42,12 +42,6 @@ void WindowAnnotations::connectTool() {
             return;
         }
         showPanel();
-        for (auto* other : place_.viewport->findChildren<ToolOverlay*>()) { // one tool at a time
-            if (other == tool_)
-                continue;
-            other->layDown();
-            connect(other, &ToolOverlay::takenChanged, this, &WindowAnnotations::otherTaken, Qt::UniqueConnection);
-        }
         tool_->take();
     });
     connect(tool_, &LabelTool::takenChanged, action, &QAction::setChecked);
@@ -55,11 +49,6 @@ void WindowAnnotations::connectTool() {
     connect(tool_, &LabelTool::labelled, this,
             [this] { form_->writeWords(place_.document->figure()->annotations.size() - 1); });
     connect(form_, &AnnotationForm::labelWanted, action, &QAction::trigger);
-}
-
-void WindowAnnotations::otherTaken(bool taken) {
-    if (taken)
-        tool_->layDown();
 }
 
 void WindowAnnotations::showPanel() {

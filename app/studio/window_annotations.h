@@ -28,7 +28,6 @@ class WindowAnnotations : public QObject {
     void showFigure();
     void showPanel();
     void showPlaces();
-    void otherTaken(bool taken);
 
     Workplace place_;
     AnnotationForm* form_;
