@@ -1,5 +1,7 @@
 #include "core/figure/label_places.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -48,7 +50,8 @@ class Column {
                 y = next;
                 chosen = choose(members, y);
             }
-            y = freeFrom(y, scene_.labels[*chosen].sizeMm.y);
+            y = clearOfPoints(members, std::max(top, 0.0), y, latest);
+            y = freeFrom(y, scene_.labels[*choose(members, y)].sizeMm.y);
             chosen = choose(members, y);
             y = freeFrom(y, scene_.labels[*chosen].sizeMm.y);
             const LabelBox& label = scene_.labels[*chosen];
@@ -90,6 +93,36 @@ class Column {
             }
         }
         return best;
+    }
+
+    /// The place nearest to `y` from which the leader does not touch another label's point; `y` where there is none.
+    double clearOfPoints(std::vector<std::size_t>& members, double top, double y, double latest) const {
+        constexpr double kStep = 0.5;  // mm
+        constexpr int kMostSteps = 12; // two lines: farther away a label would belong to something else
+        for (int step = 0; step <= kMostSteps; ++step) {
+            for (const double sign : {1.0, -1.0}) {
+                const double tried = y + sign * kStep * step;
+                if (tried >= top && (tried <= latest || step == 0) && !touches(*choose(members, tried), tried)) {
+                    return tried;
+                }
+            }
+        }
+        return y;
+    }
+
+    [[nodiscard]] bool touches(std::size_t label, double y) const {
+        constexpr double kClear = 1; // mm between a leader and a foreign point
+        const glm::dvec2 port(portX_, y + scene_.labels[label].portDownMm);
+        const glm::dvec2 way = anchor(label) - port;
+        for (std::size_t other = 0; other < scene_.labels.size(); ++other) {
+            const glm::dvec2 to = anchor(other) - port;
+            const double along = glm::dot(to, way) / std::max(glm::dot(way, way), 1e-12);
+            if (other != label && along > 0 && along < 1 && glm::distance(to, along * way) < kClear &&
+                anchor(other) != anchor(label)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /// The lowest top at which all of the rest still fits above the bottom margin.

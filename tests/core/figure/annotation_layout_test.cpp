@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
+
+#include <cmath>
 #include <random>
 
 namespace limner {
@@ -121,13 +124,30 @@ TEST(AnnotationLayout, ColumnsStandAtTheEdgesNearTheirPoints) {
     EXPECT_EQ(placed[0].box.lowMm, glm::dvec2(4, 48.5));
 }
 
+TEST(AnnotationLayout, ALeaderDoesNotRunThroughAnotherPoint) {
+    LabelSheet sheet;
+    sheet.sizeMm = kSheet;
+    LabelBox far;
+    far.sizeMm = {20, 3};
+    far.portDownMm = 1.5;
+    far.anchorMm = {110, 60};
+    LabelBox near = far;
+    near.anchorMm = {140, 60}; // on the straight way to the column at 156
+    const auto placed = layOutLabels(sheet, std::vector{far, near});
+    EXPECT_FALSE(leadersCross(placed[0].portMm, far.anchorMm, placed[1].portMm, near.anchorMm));
+    // Height of the far one's leader over the near one's point: a millimetre is left between them.
+    const double share = (140.0 - 110) / (156 - 110);
+    EXPECT_GT(std::abs(60 + share * (placed[0].portMm.y - 60) - 60), 1);
+    EXPECT_LT(std::abs(placed[0].portMm.y - 60), 7);
+}
+
 TEST(AnnotationLayout, ABoxOverItsOwnPointMovesOutwards) {
     LabelSheet sheet;
     sheet.sizeMm = kSheet;
     LabelBox wide;
     wide.sizeMm = {40, 3};
     wide.portDownMm = 1.5;
-    wide.anchorMm = {100, 100};
+    wide.anchorMm = {110, 100};
     LabelBox narrow = wide;
     narrow.sizeMm.x = 20;
     narrow.anchorMm = {150, 50}; // the column begins at 136
