@@ -7,7 +7,7 @@
 namespace limner {
 
 /// Most annotations that a figure may have.
-inline constexpr std::size_t kMostAnnotations = 4096;
+inline constexpr std::size_t kMostAnnotations = 256;
 
 /// An annotation of a kind as it is when it is new: what can be found out by itself is left open.
 Annotation newAnnotation(const std::string& kind);

@@ -492,9 +492,10 @@ std::span<const Field> fieldsOf<Figure>() {
                                             .omitDefault = true}),
         field<&T::stipple>("stipple", {.label = "Stipples", .help = "Dots of ink.", .cost = kPlan}),
         field<&T::background>("background", {.label = "Background", .help = "The paper."}),
-        field<&T::annotations>(
-            "annotations",
-            {.label = "Annotations", .help = "Lettering, scale bar and orientation marks.", .atMost = 4096}),
+        field<&T::annotations>("annotations",
+                               {.label = "Annotations",
+                                .help = "Lettering, scale bar and orientation marks.",
+                                .atMost = 256}), // more no sheet holds, and laying them out would take long
         field<&T::annotationLayout>("annotation_layout",
                                     {.label = "Layout of labels",
                                      .help = "Where labels without a place stand: in columns at the sides, on a ring "

@@ -193,6 +193,22 @@ TEST(AnnotationLayout, ManyMoreThanThereIsRoomForStillHaveBoxesOfTheirOwn) {
     EXPECT_EQ(crossings(labels, placed), 0);
 }
 
+TEST(AnnotationLayout, AnyPointsAnywhereGiveAnAnswer) {
+    Random random(24);
+    for (const LabelLayout layout : {LabelLayout::columns, LabelLayout::ring, LabelLayout::free}) {
+        LabelSheet sheet;
+        sheet.sizeMm = {40, 30};
+        sheet.layout = layout;
+        std::vector<LabelBox> labels = someLabels(256, random); // as many as a figure may have, on a stamp
+        for (LabelBox& label : labels) {
+            label.anchorMm = {between(0, 40, random), between(0, 30, random)};
+        }
+        labels[1].anchorMm = labels[0].anchorMm; // two names of one point
+        labels[2].sizeMm = {400, 300};
+        EXPECT_EQ(layOutLabels(sheet, labels).size(), labels.size());
+    }
+}
+
 TEST(AnnotationLayout, PointsGoThroughTheCamera) {
     Camera camera;
     camera.direction = {0, 1, 0};

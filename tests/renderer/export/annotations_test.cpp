@@ -189,8 +189,7 @@ TEST_F(Annotations, StandInPdfAsText) {
                         .c_str()),
         0);
     const std::string words = bytesOf("words.txt");
-    for (const char* wanted :
-         {"Thorax", "Seen from the front", "Clavicle", "Ligamentum longum", "Μυς α-β", "40 mm"}) {
+    for (const char* wanted : {"Thorax", "Seen from the front", "Clavicle", "Ligamentum longum", "Μυς α-β", "40 mm"}) {
         EXPECT_NE(words.find(wanted), std::string::npos) << wanted << " in " << words;
     }
     EXPECT_NE(bytesOf("figure.pdf").find("/OCG"), std::string::npos);
