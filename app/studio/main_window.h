@@ -13,7 +13,6 @@
 #include <memory>
 
 class QDockWidget;
-class QLabel;
 class QStackedWidget;
 class QToolBar;
 class QTimer;
@@ -32,6 +31,7 @@ class LayerPanel;
 class LensOverlay;
 class NoticeBar;
 class PictureFeed;
+class PictureWords;
 class PresetMenu;
 class ProgressStrip;
 class ScissorsOverlay;
@@ -179,7 +179,7 @@ class MainWindow : public QMainWindow {
     QToolButton* themeButton_ = nullptr;
     QMenu* recent_;
     ProgressStrip* progress_;
-    QLabel* facts_;
+    PictureWords* facts_;
     QPointer<Job> openJob_, saveJob_, exportJob_, lookJob_, labelJob_, resourceJob_, measuresJob_;
     std::shared_ptr<const Figure> instead_;           ///< shown in the document's place: a style held over it
     std::shared_ptr<const ScreenPicture> ownPicture_; ///< final one of the document's figure, meanwhile
