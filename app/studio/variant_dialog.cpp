@@ -217,6 +217,7 @@ void VariantDialog::take() {
     edit.figure.camera = figure->camera; // it may have been turned meanwhile
     edit.figure.output = figure->output;
     edit.figure.annotations = figure->annotations;
+    edit.figure.annotationLayout = figure->annotationLayout;
     place_.document->apply(edit);
 }
 

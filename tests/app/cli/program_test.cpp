@@ -276,6 +276,21 @@ TEST_F(WithScan, ExplainKeepsItsNames) {
     EXPECT_GT(f.at("milliseconds").at("estimated").at("total").get<double>(), 0);
 }
 
+TEST_F(WithScan, AnnotationsAreDrawnAndExplained) {
+    const std::string written = R"(/annotations=[{"kind": "scale-bar", "length_mm": 20}, {"text": "Nowhere"}])";
+    const ProgramRun r = run({"explain", scan(), "--size", "64x64", "--json", "--set", written});
+    ASSERT_EQ(r.code, 0) << r.err;
+    const auto lines = r.facts().at("annotations");
+    ASSERT_EQ(lines.size(), 2U);
+    EXPECT_EQ(lines[0], "scale-bar of 20\u00A0mm");
+    EXPECT_EQ(lines[1], "label \"Nowhere\": not drawn: it has neither a point nor a place");
+    EXPECT_TRUE(r.facts().at("not_drawn").empty());
+    const ProgramRun picture =
+        run({"render", scan(), "-o", path("bar.png"), "--size", "64x64", "--json", "--set", written});
+    ASSERT_EQ(picture.code, 0) << picture.err;
+    EXPECT_EQ(picture.facts().at("annotations"), 1);
+}
+
 TEST_F(WithScan, ExplainsWhatIsSeen) {
     const ProgramRun r = run({"explain", scan(), "--size", "64x64", "--visibility", "--json", "--set",
                               "/importance={\"global\": 1, \"weights\": {\"extinction\": 1}}"});
