@@ -163,6 +163,11 @@ bool layFree(const Scene& scene, std::span<const std::size_t> free, std::vector<
             settled.push_back(i);
         }
     }
+    const auto hidesPoint = [&](const SheetBox& box) { // words do not lie over what others point at
+        return std::any_of(scene.labels.begin(), scene.labels.end(), [&](const LabelBox& other) {
+            return box.overlaps({other.anchorMm, other.anchorMm + glm::dvec2(1e-6)});
+        });
+    };
     const auto find = [&](std::size_t i) {
         const LabelBox& label = scene.labels[i];
         constexpr double kNearest = 8; // mm: a leader that is seen as one
@@ -176,7 +181,8 @@ bool layFree(const Scene& scene, std::span<const std::size_t> free, std::vector<
                     continue;
                 }
                 placed[i] = besidePort(label, port, toTheLeft);
-                if (inside(scene.sheet, placed[i].box) && !disturbs(scene, i, settled, placed)) {
+                if (inside(scene.sheet, placed[i].box) && !hidesPoint(placed[i].box) &&
+                    !disturbs(scene, i, settled, placed)) {
                     return true;
                 }
             }

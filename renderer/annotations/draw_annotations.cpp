@@ -8,6 +8,33 @@ namespace {
 
 constexpr double kPadMm = 0.8; ///< between a label's letters and the end of its leader
 
+/// The contours of a text's letters as lines of paper around them: what stands on matter stays legible.
+void addHalo(MarkGroup& group, const PaperText& text, const InkColour& rgb) {
+    constexpr float kWidthMm = 0.6F; // a third of a millimetre shows outside of the letters
+    for (const TextRun& run : text.block.runs) {
+        const double shear = run.face->source().slanted ? FontFace::kShear : 0;
+        for (const ShapedGlyph& glyph : run.glyphs) {
+            const glm::dvec2 origin = text.atMm + run.originMm + glm::dvec2(glyph.place.x, -glyph.place.y) * run.emMm;
+            const GlyphOutline& outline = run.face->outline(glyph.id);
+            std::size_t next = 0;
+            for (const GlyphOutline::Step step : outline.steps) {
+                // Control points stand for their curves: under so wide a line nobody sees the difference.
+                const std::size_t count =
+                    step == GlyphOutline::Step::cubic ? 3 : (step == GlyphOutline::Step::conic ? 2 : 1);
+                if (step == GlyphOutline::Step::move) {
+                    group.strokes.push_back({static_cast<std::uint32_t>(group.points.size()), 0, 1, rgb});
+                }
+                for (std::size_t k = 0; k < count; ++k) {
+                    const glm::dvec2 em = outline.points[next++];
+                    const glm::dvec2 place = origin + glm::dvec2(em.x + shear * em.y, -em.y) * run.emMm;
+                    group.points.push_back({glm::vec2(place), kWidthMm});
+                    ++group.strokes.back().count;
+                }
+            }
+        }
+    }
+}
+
 /// Blocks along the sheet's edges, then labels in what they leave.
 class Drawing {
   public:
@@ -194,6 +221,10 @@ class Drawing {
             label.text = setText(figure_.annotations[label.index].text, label.style);
         }
         out_.texts.push_back({std::move(label.text), placed.box.lowMm + glm::dvec2(kPadMm, 0), ink});
+        const bool besideTheDrawing = sheet_.layout == LabelLayout::columns && !box.atMm;
+        if (paper_.rgb && !besideTheDrawing) {
+            addHalo(out_.lines.groups[0], out_.texts.back(), inkColour(*paper_.rgb));
+        }
         if (paper_.rgb) {
             constexpr float kCasing = 0.8F; // what lies below shows through a little: a line, no cut
             addLine(out_.lines.groups[0], placed.portMm, box.anchorMm, kLineMm + 2 * kCasingMm, inkColour(*paper_.rgb),
