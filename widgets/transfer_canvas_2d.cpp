@@ -55,6 +55,8 @@ void TransferCanvas2d::setFigure(std::shared_ptr<const Figure> figure, std::size
 }
 
 void TransferCanvas2d::setHistogram(std::shared_ptr<const JointHistogram> histogram) {
+    if (histogram == histogram_)
+        return;
     histogram_ = std::move(histogram);
     counts_ = QImage();
     update();

@@ -264,7 +264,9 @@ void TransferEditor2d::showSelection() {
     const auto& handle = canvas_->selected();
     const Transfer* t = canvas_->transfer();
     const bool editable = t && !locked_;
-    const auto shape = t ? canvas_->selectedShape() : std::nullopt;
+    const OpacityShape* shape = nullptr;
+    if (const auto index = canvas_->selectedShape(); t && index)
+        shape = &t->opacity2d[*index];
     const auto node = t ? canvas_->selectedNode() : std::nullopt;
     const auto place = handle ? canvas_->placeOf(*handle) : std::nullopt;
     for (QDoubleSpinBox* box : {x_, y_, opacity_, softness_})
@@ -279,15 +281,15 @@ void TransferEditor2d::showSelection() {
         y_->setValue(place->y);
     }
     if (shape) {
-        opacity_->setValue(t->opacity2d[*shape].opacity * 100);
-        softness_->setValue(t->opacity2d[*shape].soft * 100);
+        opacity_->setValue(shape->opacity * 100);
+        softness_->setValue(shape->soft * 100);
     }
     for (QDoubleSpinBox* box : {x_, y_, opacity_, softness_})
         box->blockSignals(false);
     x_->setEnabled(editable && place);
     y_->setEnabled(editable && place);
     opacity_->setEnabled(editable && shape);
-    const bool soft = shape && t->opacity2d[*shape].shape != "trapezoid" && t->opacity2d[*shape].shape != "mask";
+    const bool soft = shape && shape->shape != "trapezoid" && shape->shape != "mask";
     softness_->setEnabled(editable && soft); // ramps and brushes are soft by themselves
     duplicate_->setEnabled(editable && shape);
     remove_->setEnabled(editable && shape);

@@ -27,6 +27,7 @@ class TransferPlane : public QWidget {
     virtual void setFigure(std::shared_ptr<const Figure> figure, std::size_t layer);
     /// Where a dropped style comes from; without one nothing can be dropped.
     void setStyleSource(StyleSource source) { styles_ = std::move(source); }
+    [[nodiscard]] const StyleSource& styleSource() const { return styles_; }
     /// The layer's transfer function; null where there is none of the canvas's number of axes.
     [[nodiscard]] virtual const Transfer* transfer() const = 0;
     [[nodiscard]] QString unit() const; ///< of the first axis

@@ -2,6 +2,7 @@
 
 #include "app/studio/window_background.h"
 #include "app/studio/window_stipple.h"
+#include "app/studio/window_transfer.h"
 #include "widgets/job.h"
 #include "widgets/layer_list.h"
 #include "widgets/progress_strip.h"
@@ -44,6 +45,7 @@ void MainWindow::buildFeatures() {
     const Workplace place = workplace();
     new WindowStipple(place); // the window owns them, by their parent
     new WindowBackground(place);
+    new WindowTransfer(place);
 }
 
 } // namespace limner
