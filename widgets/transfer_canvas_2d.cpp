@@ -2,7 +2,6 @@
 
 #include "core/figure/layer_edits.h"
 #include "core/figure/plane_view.h"
-#include "core/figure/quantity.h"
 #include "core/figure/transfer_edits.h"
 #include "core/style/transfer_function.h"
 
@@ -216,15 +215,7 @@ std::optional<std::size_t> TransferCanvas2d::selectedNode() const {
     return selected_ && selected_->kind == HandleKind::node ? std::optional(selected_->index) : std::nullopt;
 }
 
-TransferNode TransferCanvas2d::nodeOf(std::size_t cell) const {
-    const TransferGrid& grid = *transfer()->grid;
-    const std::size_t row = cell / grid.x.size();
-    const std::size_t column = cell % grid.x.size();
-    const bool there = row < grid.styles.size() && column < grid.styles[row].size();
-    const std::string look = there ? grid.styles[row][column] : std::string();
-    const auto rgb = plainColour(look);
-    return {grid.x[column], rgb ? std::string() : look, rgb};
-}
+TransferNode TransferCanvas2d::nodeOf(std::size_t cell) const { return nodeOfCell(*transfer()->grid, cell); }
 
 glm::dvec2 TransferCanvas2d::snapped(glm::dvec2 place) const {
     if (firstAxis(*transfer()) == TransferAxis::label)

@@ -298,6 +298,7 @@ bool TransferCanvas2d::event(QEvent* event) {
         counts_ = QImage(); // they are drawn in the text's colour
     if (event->type() == QEvent::DragLeave || event->type() == QEvent::Leave) {
         dropNode_.reset();
+        pointer_ = QPointF(-1, -1); // no brush is in the hand
         update();
     }
     return QWidget::event(event);

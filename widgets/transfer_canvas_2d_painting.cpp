@@ -139,7 +139,7 @@ void TransferCanvas2d::paintOpacity(QPainter& painter) {
             for (int column = 0; column < pixels.width(); ++column) {
                 const float a = opacity[static_cast<std::size_t>(row) * static_cast<std::size_t>(pixels.width()) +
                                         static_cast<std::size_t>(column)];
-                constexpr float kStrongest = 190; // the counts below are still seen
+                constexpr float kStrongest = 125; // the counts below are still seen
                 const glm::dvec2 place(x_.valueOf((column + 0.5) / pixels.width()),
                                        y_.valueOf(1 - (row + 0.5) / pixels.height()));
                 const std::array<double, 3> rgb = a > 0 ? colours.at(t, place) : std::array<double, 3>{};
@@ -225,9 +225,8 @@ void TransferCanvas2d::paintSecondRuler(QPainter& painter) const {
         painter.setPen(faint);
         painter.drawLine(QPointF(plot().left() - 4, yOf(tick)), QPointF(plot().left(), yOf(tick)));
         painter.setPen(ink);
-        if (yOf(tick) > plot().top() + metrics.height()) // there the axis has its name
-            painter.drawText(QRectF(14, yOf(tick) - 10, plot().left() - 20, 20), Qt::AlignRight | Qt::AlignVCenter,
-                             valueText(tick, step));
+        painter.drawText(QRectF(14, yOf(tick) - 10, plot().left() - 20, 20), Qt::AlignRight | Qt::AlignVCenter,
+                         valueText(tick, step));
     }
     painter.save();
     painter.translate(10, plot().center().y());
@@ -246,6 +245,7 @@ void TransferCanvas2d::paintCross(QPainter& painter) const {
     painter.drawLine(QPointF(plot().left(), at.y()), QPointF(plot().right(), at.y()));
     if (!plot().contains(at))
         return;
+    painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(palette().color(QPalette::Base), 4));
     painter.drawEllipse(at, 5, 5);
     painter.setPen(QPen(palette().color(QPalette::Highlight), 2));

@@ -7,6 +7,7 @@
 
 #include <QButtonGroup>
 #include <QDoubleSpinBox>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
@@ -97,8 +98,10 @@ TransferEditor2d::TransferEditor2d(QWidget* parent)
                           tr("Opacity inside the shape, in percent for a thickness of one voxel"))),
       softness_(percentBox(tr("Softness of the shape"),
                            tr("Width of the soft border inside the shape, in percent of half its extent"))),
-      what_(new QLabel), addColumn_(textButton(tr("+ Column"), tr("Add a column of styles to the grid"))),
-      addRow_(textButton(tr("+ Row"), tr("Add a row of styles to the grid"))),
+      addColumn_(textButton(tr("+ Column"),
+                            tr("Add a column of styles to the grid; drop styles from the gallery onto the balls"))),
+      addRow_(
+          textButton(tr("+ Row"), tr("Add a row of styles to the grid; drop styles from the gallery onto the balls"))),
       removeColumn_(textButton(tr("− Column"), tr("Remove the selected style's column"))),
       removeRow_(textButton(tr("− Row"), tr("Remove the selected style's row"))) {
     brush_ = brushRow();
@@ -199,24 +202,32 @@ QWidget* TransferEditor2d::numberRow() {
     x_->setToolTip(tr("Place of what is selected on the first axis, in its unit"));
     y_->setAccessibleName(tr("Place on the second axis"));
     y_->setToolTip(tr("Place of what is selected on the second axis, in its unit"));
-    opacity_->setPrefix(tr("Opacity "));
-    softness_->setPrefix(tr("Soft "));
     auto* holder = new QWidget;
-    auto* rows = new QVBoxLayout(holder);
-    rows->setContentsMargins(0, 0, 0, 0);
-    rows->setSpacing(4);
-    QWidget* places = rowOf({what_, x_, y_});
-    what_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // long words must not widen the panel
-    rows->addWidget(places);
-    rows->addWidget(rowOf({opacity_, softness_, duplicate_, remove_}));
+    auto* form = new QGridLayout(holder);
+    form->setContentsMargins(0, 0, 0, 0);
+    form->setHorizontalSpacing(4);
+    form->setVerticalSpacing(1);
+    int column = 0;
+    for (const auto& [box, text] : {std::pair(x_, tr("First axis")), std::pair(y_, tr("Second axis")),
+                                    std::pair(opacity_, tr("Opacity")), std::pair(softness_, tr("Softness"))}) {
+        auto* label = new QLabel(text);
+        label->setBuddy(box);
+        label->setToolTip(box->toolTip());
+        label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // long words must not widen the panel
+        form->addWidget(label, 0, column);
+        form->addWidget(box, 1, column);
+        form->setColumnStretch(column++, 1);
+    }
     return holder;
 }
 
 QWidget* TransferEditor2d::gridRow() {
-    auto* title = new QLabel(tr("Styles"));
-    title->setToolTip(tr("Drop styles from the gallery onto the balls of the plane"));
-    QWidget* row = rowOf({title, addColumn_, addRow_, removeColumn_, removeRow_});
-    qobject_cast<QHBoxLayout*>(row->layout())->addStretch(1);
+    QWidget* row = rowOf({duplicate_, remove_});
+    auto* layout = qobject_cast<QHBoxLayout*>(row->layout());
+    layout->setSpacing(3);
+    layout->addStretch(1);
+    for (QToolButton* button : {addColumn_, addRow_, removeColumn_, removeRow_})
+        layout->addWidget(button);
     connect(addColumn_, &QToolButton::clicked, canvas_, &TransferCanvas2d::addColumn);
     connect(addRow_, &QToolButton::clicked, canvas_, &TransferCanvas2d::addRow);
     connect(removeColumn_, &QToolButton::clicked, canvas_, &TransferCanvas2d::removeColumn);
@@ -271,11 +282,6 @@ void TransferEditor2d::showSelection() {
     const auto place = handle ? canvas_->placeOf(*handle) : std::nullopt;
     for (QDoubleSpinBox* box : {x_, y_, opacity_, softness_})
         box->blockSignals(true);
-    what_->setText(locked_                                                          ? tr("The layer is locked")
-                   : node                                                           ? tr("Style")
-                   : handle && handle->kind == TransferCanvas2d::HandleKind::corner ? tr("Handle")
-                   : shape                                                          ? tr("Shape")
-                                                                                    : tr("Nothing selected"));
     if (place) {
         x_->setValue(place->x);
         y_->setValue(place->y);

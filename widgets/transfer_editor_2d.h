@@ -52,7 +52,6 @@ class TransferEditor2d : public QWidget {
     QDoubleSpinBox* y_;
     QDoubleSpinBox* opacity_;
     QDoubleSpinBox* softness_;
-    QLabel* what_;
     QToolButton* addColumn_;
     QToolButton* addRow_;
     QToolButton* removeColumn_;

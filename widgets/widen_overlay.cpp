@@ -160,13 +160,13 @@ void WidenOverlay::readMore() {
             }
         },
         [this, picks] {
-            take(*picks);
+            widen(*picks);
             // The job counts as busy until this has run.
             QMetaObject::invokeMethod(this, &WidenOverlay::readMore, Qt::QueuedConnection);
         });
 }
 
-void WidenOverlay::take(const std::vector<Pick>& picks) {
+void WidenOverlay::widen(const std::vector<Pick>& picks) {
     if (!mayWiden())
         return;
     const Transfer& before = figure()->layers[layer_].transfer;

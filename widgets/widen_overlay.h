@@ -39,7 +39,7 @@ class WidenOverlay : public ToolOverlay {
   private:
     void follow(QPointF position);
     void readMore();
-    void take(const std::vector<Pick>& picks);
+    void widen(const std::vector<Pick>& picks);
     void finish();
     [[nodiscard]] bool mayWiden() const;
 

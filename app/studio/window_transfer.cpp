@@ -68,7 +68,12 @@ WindowTransfer::~WindowTransfer() = default;
 
 bool WindowTransfer::busy() const { return counting_->busy() || picking_->busy() || widen_->busy(); }
 
-void WindowTransfer::putIntoDock() { place_.window->findChild<QDockWidget*>("dock.transfer")->setWidget(editor_); }
+void WindowTransfer::putIntoDock() {
+    auto* dock = place_.window->findChild<QDockWidget*>("dock.transfer");
+    dock->setWidget(editor_);
+    // A plane needs height; the form of the layer scrolls.
+    place_.window->resizeDocks({place_.window->findChild<QDockWidget*>("dock.layers"), dock}, {380, 400}, Qt::Vertical);
+}
 
 void WindowTransfer::connectWiden() {
     QAction* action = place_.actions->at("edit.widen-range");

@@ -1,5 +1,6 @@
 #include "core/figure/shape_edits.h"
 
+#include "core/figure/quantity.h"
 #include "core/style/transfer_function.h"
 
 #include <algorithm>
@@ -263,6 +264,17 @@ OpacityShape withShapeGrown(OpacityShape shape, const glm::dvec2& to) {
         aim = middle + (aim - middle) * kFurther;
     }
     return shape;
+}
+
+TransferNode nodeOfCell(const TransferGrid& grid, std::size_t cell) {
+    const std::size_t columns = std::max<std::size_t>(1, grid.x.size());
+    const std::size_t row = cell / columns;
+    const std::size_t column = cell % columns;
+    if (column >= grid.x.size() || row >= grid.styles.size() || column >= grid.styles[row].size())
+        return {};
+    const std::string& look = grid.styles[row][column];
+    const auto rgb = plainColour(look);
+    return {grid.x[column], rgb ? std::string() : look, rgb};
 }
 
 TransferGrid withColumnAdded(TransferGrid grid, double at) {

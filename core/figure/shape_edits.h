@@ -69,7 +69,8 @@ double membershipAt(const OpacityShape& shape, const glm::dvec2& at);
 /// is then the shape's own for rectangles and trapezoids, and above 0 for the other kinds.
 OpacityShape withShapeGrown(OpacityShape shape, const glm::dvec2& to);
 
-/// A grid of styles.
+/// A grid of styles. What stands in a cell, counted row by row, with its column's position; empty where there is none.
+TransferNode nodeOfCell(const TransferGrid& grid, std::size_t cell);
 TransferGrid withColumnAdded(TransferGrid grid, double at);
 TransferGrid withRowAdded(TransferGrid grid, double at);
 /// The last column or row stays.

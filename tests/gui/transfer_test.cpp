@@ -85,12 +85,14 @@ TEST(StudioTransfer, TheValueUnderThePointerIsMarked) {
 TEST(StudioTransfer, AHandOverThePictureWidensTheRangeAsOneStep) {
     TransferStudio studio;
     ASSERT_TRUE(studio.openSkull());
-    // The range is made narrow first, so that there is something to win.
+    // The range is made narrower first, so that there is something to win: the surface is seen halfway up its ramp.
+    studio.hover(studio.at(0.5, 0.45));
+    ASSERT_TRUE(pumpUntil([&] { return studio.editor().line()->canvas()->mark().has_value(); }));
+    const double seen = studio.editor().line()->canvas()->mark()->x;
+    constexpr double kRamp = 300; // HU
     Edit narrow{studio.figure(), "Narrow", {}, false};
     Layer& layer = narrow.figure.layers[studio.window->layers().selectedLayer()];
-    const ValueRange range = studio.figure().volume->data->range();
-    const double low = range.low + 0.7 * (range.high - range.low);
-    layer.transfer.opacity = {{low, 0}, {low + 0.05 * (range.high - range.low), 1}};
+    layer.transfer.opacity = {{seen, 0}, {seen + kRamp, 1}};
     studio.window->document().apply(narrow);
     ASSERT_TRUE(studio.rested());
     const Figure start = studio.figure();
@@ -105,7 +107,7 @@ TEST(StudioTransfer, AHandOverThePictureWidensTheRangeAsOneStep) {
     const Transfer after = studio.transfer();
     ASSERT_EQ(after.opacity.size(), 2U);
     EXPECT_LT(after.opacity[1].x, layer.transfer.opacity[1].x);
-    EXPECT_NEAR(after.opacity[1].x - after.opacity[0].x, 0.05 * (range.high - range.low), 1e-6) << "as steep as it was";
+    EXPECT_NEAR(after.opacity[1].x - after.opacity[0].x, kRamp, 1e-6) << "as steep as it was";
     EXPECT_FALSE(studio.window->document().gestureOngoing());
     const std::size_t now = studio.window->document().history().position();
     EXPECT_GT(now, steps);
