@@ -43,6 +43,8 @@ constexpr ActionRow kActions[] = {
     {"edit.scissors", TEXT("&Scissors"), TEXT("Cut away what an outline drawn in the picture encloses"), "X", ""},
     {"edit.keep-island", TEXT("&Keep the island here"),
      TEXT("Click on the part that stays; what is not connected with it goes"), "K", ""},
+    {"edit.widen-range", TEXT("&Widen the opacity's range"),
+     TEXT("Drag over a structure in the picture: the chosen layer comes to show its values"), "W", ""},
     {"view.measure", TEXT("&Measure"), TEXT("Click on two places of the figure: how far they are from each other"), "M",
      ""},
     {"view.anterior", TEXT("&Anterior"), TEXT("Look at the patient's front"), "1", TEXT("Front")},

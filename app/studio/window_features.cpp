@@ -5,6 +5,7 @@
 #include "app/studio/window_looks.h"
 #include "app/studio/window_slices.h"
 #include "app/studio/window_stipple.h"
+#include "app/studio/window_transfer.h"
 #include "app/studio/window_view.h"
 #include "app/studio/window_workspace.h"
 #include "widgets/job.h"
@@ -66,6 +67,7 @@ void MainWindow::buildFeatures() {
     const Workplace place = workplace();
     new WindowStipple(place); // the window owns them, by their parent
     new WindowBackground(place);
+    new WindowTransfer(place);
     new WindowAnnotations(place);
     new WindowView(place);
     new WindowSlices(place);
