@@ -22,6 +22,7 @@ HistoryList::HistoryList(QWidget* parent)
     steps_->setAccessibleName(tr("Steps"));
     steps_->setToolTip(tr("Click on a step to go there, forth and back; no step is lost until something is changed"));
     steps_->setUniformItemSizes(true);
+    steps_->setSpacing(1);
     names_->setAccessibleName(tr("Named states"));
     names_->setToolTip(tr("Click on a name to go there, as a change that can be undone; F2 renames it"));
     names_->setEditTriggers(QAbstractItemView::EditKeyPressed);

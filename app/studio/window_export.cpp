@@ -58,11 +58,12 @@ void WindowExport::showRows() { list_->setRows(queue_->rows()); }
 
 double WindowExport::secondsPerMegaPixel() const {
     const auto& picture = place_.viewport->picture();
-    if (!picture || picture->facts.coarseness.stepScale != 1)
+    if (!picture)
         return 0;
     const double rays = picture->image.width() * 1e-6 * picture->image.height();
     const int perPixel = std::max(1, picture->facts.coarseness.subPixels * picture->facts.coarseness.subPixels);
-    return picture->facts.renderMs * 1e-3 / std::max(rays * perPixel, 1e-9);
+    // A draft's longer steps are as many fewer.
+    return picture->facts.renderMs * 1e-3 * picture->facts.coarseness.stepScale / std::max(rays * perPixel, 1e-9);
 }
 
 void WindowExport::chooseAndExport() {
@@ -94,13 +95,17 @@ void WindowExport::exportPath(const std::filesystem::path& path, const ExportDia
     figure->quality.samplesPerPixel = choice.samplesPerPixel;
     PictureOptions options = pictureOptions(*figure);
     options.depth = choice.depth;
+    leaving_ = false;
     queue_->add({std::move(figure), path, options});
 }
 
 bool WindowExport::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == place_.window && event->type() == QEvent::Close && queue_->busy() && !askAboutLeaving()) {
-        event->ignore();
-        return true;
+    if (watched == place_.window && event->type() == QEvent::Close && queue_->busy() && !leaving_) {
+        leaving_ = askAboutLeaving();
+        if (!leaving_) {
+            event->ignore();
+            return true;
+        }
     }
     return QObject::eventFilter(watched, event);
 }

@@ -44,6 +44,7 @@ class WindowExport : public QObject {
     ExportQueue* queue_;
     OutputList* list_;
     QDockWidget* panel_;
+    bool leaving_ = false; ///< the user wants to, whatever is being written
 };
 
 } // namespace limner

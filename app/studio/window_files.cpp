@@ -379,7 +379,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->ignore();
     afterChangesAreSafe([this] {
         document_->close();
-        close();
+        // Not at once: this may still be within the closing that was put off, which a second one would not get past.
+        QMetaObject::invokeMethod(this, &QWidget::close, Qt::QueuedConnection);
     });
 }
 

@@ -30,8 +30,7 @@ struct WithProject {
     WithProject() {
         Task task;
         writeNrrd(*makeHeadPhantom(32), scan, task);
-        project.remove_filename();
-        project /= "head.limner";
+        fs::create_directories(project.parent_path());
     }
     /// `path` is there for good.
     void open(Studio& on, const fs::path& path) const {
@@ -46,7 +45,8 @@ struct WithProject {
     }
     QTemporaryDir folder;
     fs::path scan = folder.filePath("scan.nrrd").toStdString();
-    fs::path project = folder.filePath("x").toStdString();
+    /// Two folders down: what is searched above it is still of this test alone.
+    fs::path project = folder.filePath("work/project/head.limner").toStdString();
 };
 
 void rename(Studio& studio, const std::string& title) {

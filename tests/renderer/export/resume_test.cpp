@@ -9,6 +9,7 @@
 
 #include <csignal>
 #include <fstream>
+#include <regex>
 #include <sstream>
 
 #include <sys/wait.h>
@@ -27,7 +28,9 @@ std::string bytesOf(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
     std::ostringstream bytes;
     bytes << file.rdbuf();
-    return bytes.str();
+    // TIFF says when it was written, to the second.
+    static const std::regex kTime("[0-9]{4}:[0-9]{2}:[0-9]{2} [0-9]{2}:[0-9]{2}:[0-9]{2}");
+    return std::regex_replace(bytes.str(), kTime, "time");
 }
 
 class Resume : public ::testing::TestWithParam<const char*> {
@@ -69,7 +72,7 @@ TEST_P(Resume, AnInterruptedPictureGoesOnWhereItWasAndIsTheSameBitForBit) {
     failIn(2, file("parts")); // the second try fails later: its bands 6, 7 are drawn, band 8 is not
     GradientBackend rest;
     const ExportFacts facts = write(file("parts"), rest);
-    EXPECT_EQ(bytesOf(file("parts")), bytesOf(file("whole")));
+    EXPECT_TRUE(bytesOf(file("parts")) == bytesOf(file("whole")));
     EXPECT_EQ(rest.calls, (kBands - 6 - 2) * tilesPerBand()) << "only what was missing is drawn";
     EXPECT_EQ(facts.samples, all.samples);
     EXPECT_FALSE(fs::exists(FinishedBands::fileFor(file("parts"))));
@@ -85,7 +88,7 @@ TEST_P(Resume, AnotherFigureOrSettingStartsAnew) {
     options_.resumable = false;
     GradientBackend fresh;
     write(file("fresh"), fresh);
-    EXPECT_EQ(bytesOf(path), bytesOf(file("fresh")));
+    EXPECT_TRUE(bytesOf(path) == bytesOf(file("fresh")));
 }
 
 TEST_P(Resume, DamageInTheFinishedBandsIsDrawnAgain) {
@@ -102,7 +105,7 @@ TEST_P(Resume, DamageInTheFinishedBandsIsDrawnAgain) {
     EXPECT_GT(backend.calls, (kBands - 6) * tilesPerBand());
     GradientBackend whole;
     write(file("whole"), whole);
-    EXPECT_EQ(bytesOf(path), bytesOf(file("whole")));
+    EXPECT_TRUE(bytesOf(path) == bytesOf(file("whole")));
 }
 
 TEST_P(Resume, AFileThatWasCutOffGivesItsWholeBands) {
@@ -127,7 +130,7 @@ TEST_P(Resume, AFullDiskKeepsNothingMoreAndDisturbsNothing) {
     write(path, again);
     GradientBackend whole;
     write(file("whole"), whole);
-    EXPECT_EQ(bytesOf(path), bytesOf(file("whole")));
+    EXPECT_TRUE(bytesOf(path) == bytesOf(file("whole")));
 }
 
 TEST_P(Resume, AKilledExportGoesOn) {
@@ -150,7 +153,7 @@ TEST_P(Resume, AKilledExportGoesOn) {
     EXPECT_LE(backend.calls, (kBands - 5) * tilesPerBand()) << "the band before may not have been written yet";
     GradientBackend whole;
     write(file("whole"), whole);
-    EXPECT_EQ(bytesOf(path), bytesOf(file("whole")));
+    EXPECT_TRUE(bytesOf(path) == bytesOf(file("whole")));
 }
 
 TEST_P(Resume, WhatIsNotWantedAnyMoreCanBeForgotten) {
