@@ -40,12 +40,11 @@ QString whenText(std::int64_t seconds) {
 WindowRecovery::WindowRecovery(const Workplace& place)
     : QObject(place.window), place_(place), bar_(new RecoveryBar),
       session_(std::make_shared<RecoverySession>(recoveryFolder())),
-      longestSeconds_(limitOf("LIMNER_AUTOSAVE_SECONDS", kLongestSeconds)),
       mostEdits_(limitOf("LIMNER_AUTOSAVE_EDITS", kMostEdits)) {
     if (auto* centre = qobject_cast<QVBoxLayout*>(place_.window->centralWidget()->layout()))
         centre->insertWidget(0, bar_);
     due_.setSingleShot(true);
-    due_.setInterval(longestSeconds_ * 1000);
+    due_.setInterval(1000 * limitOf("LIMNER_AUTOSAVE_SECONDS", kLongestSeconds));
     connect(&due_, &QTimer::timeout, this, &WindowRecovery::write);
     connect(bar_, &RecoveryBar::restoreWanted, this, [this](int row) { restore(static_cast<std::size_t>(row)); });
     connect(bar_, &RecoveryBar::discardWanted, this, [this](int row) { discard(static_cast<std::size_t>(row)); });
@@ -123,11 +122,12 @@ void WindowRecovery::write() {
     if (!place_.document->dirty())
         return;
     if (job_) { // the disk is slow: what has changed meanwhile is next
-        due_.start(0);
+        again_ = true;
         return;
     }
     due_.stop();
     edits_ = 0;
+    again_ = false;
     auto unsaved = std::make_shared<UnsavedDocument>();
     unsaved->document = place_.document->snapshot();
     unsaved->name = place_.document->name().toStdString();
@@ -139,12 +139,14 @@ void WindowRecovery::write() {
     connect(job_, &Job::finished, this, [this] {
         rest();
         Q_EMIT kept();
+        if (std::exchange(again_, false))
+            write();
     });
     connect(job_, &Job::cancelled, this, &WindowRecovery::rest);
     connect(job_, &Job::failed, this, [this](const Error& error) {
         place_.notices->setNotices({QString::fromUtf8(error.what())}, NoticeBar::Kind::problem);
         if (place_.document->dirty())
-            due_.start(longestSeconds_ * 1000); // there may be room again by then
+            due_.start(); // there may be room again by then
         rest();
     });
     job_->start();

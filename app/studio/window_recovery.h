@@ -49,9 +49,9 @@ class WindowRecovery : public QObject {
     std::vector<std::function<void()>> after_;
     QPointer<Job> job_;
     QTimer due_;
-    int longestSeconds_;
     int mostEdits_;
-    int edits_ = 0; ///< since the newest autosave began
+    bool again_ = false; ///< once the running autosave is done
+    int edits_ = 0;      ///< since the newest autosave began
     unsigned generation_ = 0;
     History::StateId seen_ = 0;
 };

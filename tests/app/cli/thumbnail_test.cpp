@@ -1,5 +1,5 @@
-#include "program_run.h"
 #include "core/project/project_thumbnail.h"
+#include "program_run.h"
 
 #include <OpenImageIO/imageio.h>
 

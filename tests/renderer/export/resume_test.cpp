@@ -8,12 +8,16 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <regex>
 #include <sstream>
 
+#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+extern char** environ; // NOLINT: POSIX
 
 namespace limner {
 namespace {
@@ -23,6 +27,7 @@ using testing::GradientBackend;
 
 constexpr int kBands = 10;
 constexpr int kRows = 64;
+constexpr const char* kKilled = "LIMNER_TEST_KILLED_EXPORT";
 
 std::string bytesOf(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
@@ -122,7 +127,7 @@ TEST_P(Resume, AFullDiskKeepsNothingMoreAndDisturbsNothing) {
     const fs::path path = file("picture");
     GradientBackend backend;
     {
-        const testing::SmallDisk disk(20'000); // two bands or so; no format gets the picture into it
+        const testing::SmallDisk disk(3'000); // no format gets the picture into it
         EXPECT_THROW(write(path, backend), Error);
     }
     EXPECT_FALSE(fs::exists(path));
@@ -134,17 +139,25 @@ TEST_P(Resume, AFullDiskKeepsNothingMoreAndDisturbsNothing) {
 }
 
 TEST_P(Resume, AKilledExportGoesOn) {
-    const fs::path path = file("picture");
-    const pid_t child = ::fork();
-    if (child == 0) {
+    if (const char* killed = std::getenv(kKilled); killed != nullptr) { // this run is the one that is killed
         GradientBackend backend;
         backend.afterTile = [&](Picture&) {
             if (backend.calls == 7 * tilesPerBand() + 1)
                 ::raise(SIGKILL);
         };
-        write(path, backend);
-        ::_exit(1);
+        write(killed, backend);
+        return;
     }
+    const fs::path path = file("picture");
+    ::setenv(kKilled, path.c_str(), 1);
+    std::string program = fs::read_symlink("/proc/self/exe");
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    std::string filter = std::string("--gtest_filter=") + test->test_suite_name() + "." + test->name();
+    char* arguments[] = {program.data(), filter.data(), nullptr};
+    pid_t child = 0;
+    const int failed = ::posix_spawn(&child, program.c_str(), nullptr, nullptr, arguments, environ);
+    ::unsetenv(kKilled);
+    ASSERT_EQ(failed, 0);
     int status = 0;
     ::waitpid(child, &status, 0);
     ASSERT_TRUE(WIFSIGNALED(status));
