@@ -1,6 +1,7 @@
 #include "widgets/stipple_form.h"
 
 #include "core/figure/stipple_presets.h"
+#include "widgets/core_words.h"
 #include "widgets/stipple_parts.h"
 
 #include <QCheckBox>
@@ -71,10 +72,10 @@ void StipplePart::addPresets() {
     presets = new QMenu(this);
     presets->setToolTipsVisible(true);
     for (const PartPreset<Stipple>& preset : stipplePresets()) {
-        const QString name = QString::fromStdString(preset.name);
+        const QString name = coreWord(preset.name);
         QAction* action = presets->addAction(name);
         action->setObjectName("stipple." + QString::fromStdString(preset.id));
-        action->setToolTip(QString::fromStdString(preset.help));
+        action->setToolTip(coreWord(preset.help));
         connect(action, &QAction::triggered, this, [this, name, &preset] {
             submit(tr("Stipple “%1”").arg(name), {}, false,
                    [&](Figure& changed) { changed.stipple = stippleInLook(changed.stipple, preset.part); });

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <QString>
+
+#include <string>
+
+namespace limner {
+
+/// A word or sentence that the core has in English for people (labels and help of settings, names and help of presets
+/// and themes) in the window's language; as it is where there is no translation. The list of them all, for translators,
+/// is resources/translations/core_words.h, which a test keeps complete.
+QString coreWord(const std::string& english);
+
+} // namespace limner
