@@ -6,6 +6,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QFormLayout>
 #include <QLabel>
 #include <QMenu>
@@ -21,6 +22,8 @@ namespace limner {
 
 /// The stipples as one part of the figure, with the parts that they have themselves among its rows.
 class StipplePart : public PartFormOf<Stipple> {
+    Q_DECLARE_TR_FUNCTIONS(limner::StipplePart)
+
   public:
     StipplePart();
     [[nodiscard]] const std::vector<PartForm*>& parts() const { return parts_; }

@@ -2,6 +2,496 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
+    <name>Actions</name>
+    <message>
+        <source>&amp;Open…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a scan, a project or a figure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open &amp;folder of slices…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a folder with a DICOM series or a stack of pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open &amp;labels…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a volume of label numbers that belongs to the scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open s&amp;ample head</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the built-in head, to try things out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scans and projects that were open lately</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the project under another name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Export picture…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the figure as a picture with a size in millimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close the document</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave Limner Studio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take back the last change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Repeat what was taken back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Copy picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the shown picture to the clipboard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add &amp;lens</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a lens under which what matters shows through</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>St&amp;ipple</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw the figure with dots and lines of ink, and show their panel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Scissors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut away what an outline drawn in the picture encloses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Keep the island here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click on the part that stays; what is not connected with it goes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click on two places of the figure: how far they are from each other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Anterior</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the patient&apos;s front</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Posterior</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the patient&apos;s back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the patient&apos;s left side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the patient&apos;s right side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Superior</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look from above the head</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Inferior</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look from below the feet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Three-quarter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look from the front, turned and from a little above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3/4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fill the sheet with what is visible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show a smaller part, larger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show more, smaller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn freel&amp;y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn about any axis instead of keeping the horizon level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Variants…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A sheet of the figure in other looks, or with a setting at several values; take one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Mine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lay a look of your own over the figure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Keep this look…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep styles, layers and ink of this figure under a name, for other scans</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Import look…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the look of a file or of a project into your own looks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete one of your own looks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Find a style</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search the gallery of styles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Import picture…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a picture of a shaded ball to your own styles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take from &amp;artwork…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take a style from a scanned drawing or painting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paper &amp;colour…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lay the figure on a plain paper of a colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Picture…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lay the figure over a picture, an artwork or a sheet of paper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Commands…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find any command by its name and do it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Shortcuts…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See and change the keys of all commands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Layouts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arrangements of the panels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Co&amp;lours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light or dark colours of the window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Language of the window; the change shows at the next start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only the &amp;picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hide all panels, or bring them back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Full screen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use the whole screen, or the window again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;About Limner</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Version and licence</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>CleanupWords</name>
+    <message>
+        <source>Erase %1 (label %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Erase label %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the largest island</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the island at a point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove small islands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scissors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Erase a label</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the largest island above %1, parted where thinner than %2 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the largest island above %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the island above %1 at %2, %3, %4 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove islands above %1 that are smaller than %2 mm³</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scissors: %1 points, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Core</name>
     <message>
         <source>0: not seen.</source>
@@ -2114,6 +2604,78 @@
         <source>%1 (%2)</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take a style from a round thing: a ball, an eye, a fruit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the circle, for a ball seen at an angle or egg-shaped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take a style from any shaded form: drag around it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint more of the form, or erase some of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tell how the form faces at a place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crease</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw a ridge or a valley of the form</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tell where the form goes on behind something or is cut off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ignore</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint over letters and lines that are not the form&apos;s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make a style of two to five colours picked from the artwork</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>limner::ArtworkToolOptions</name>
@@ -4211,21 +4773,6 @@ Label %2, %3 voxels</source>
     </message>
 </context>
 <context>
-    <name>limner::Part</name>
-    <message>
-        <source>Change %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Change colour</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Move light</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>limner::PartForm</name>
     <message>
         <source>Change range of silhouette</source>
@@ -4273,6 +4820,18 @@ Label %2, %3 voxels</source>
     </message>
     <message>
         <source>Thin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move light</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
