@@ -11,4 +11,8 @@ namespace limner {
 /// is resources/translations/core_words.h, which a test keeps complete.
 QString coreWord(const std::string& english);
 
+/// The name of a setting as it stands inside a sentence ("Change opacity"): small in English, with its capital in
+/// languages that write nouns with one.
+QString inSentence(const QString& name);
+
 } // namespace limner

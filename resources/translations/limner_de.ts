@@ -2574,6 +2574,14 @@
     </message>
 </context>
 <context>
+    <name>Sentences</name>
+    <message>
+        <source>small</source>
+        <extracomment>Names inside a sentence: translate to &quot;small&quot; or to &quot;as they are&quot; (nouns keep their capital), in these words.</extracomment>
+        <translation>as they are</translation>
+    </message>
+</context>
+<context>
     <name>StudioLanguage</name>
     <message>
         <source>As the desktop</source>
