@@ -695,7 +695,7 @@
     </message>
     <message>
         <source>Cell</source>
-        <translation>Zelle</translation>
+        <translation>Rasterzelle</translation>
     </message>
     <message>
         <source>Centre</source>
@@ -799,7 +799,7 @@
     </message>
     <message>
         <source>Crossing</source>
-        <translation>Kreuzung</translation>
+        <translation>Kreuzen</translation>
     </message>
     <message>
         <source>Curvature</source>
@@ -1003,7 +1003,7 @@
     </message>
     <message>
         <source>Eye threshold</source>
-        <translation>Augenschwelle</translation>
+        <translation>Blickschwelle</translation>
     </message>
     <message>
         <source>Factor of the importance away from the lens.</source>
@@ -1111,7 +1111,7 @@
     </message>
     <message>
         <source>Ground</source>
-        <translation>Grund</translation>
+        <translation>Grundanteil</translation>
     </message>
     <message>
         <source>Haeckel</source>
@@ -1435,7 +1435,7 @@
     </message>
     <message>
         <source>Limit</source>
-        <translation>Grenzwert</translation>
+        <translation>Obergrenze</translation>
     </message>
     <message>
         <source>Line opacity by gradient</source>
@@ -1779,7 +1779,7 @@
     </message>
     <message>
         <source>Probe</source>
-        <translation>Sonde</translation>
+        <translation>Messstrecke</translation>
     </message>
     <message>
         <source>Projection</source>
