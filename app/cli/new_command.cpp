@@ -2,15 +2,12 @@
 
 #include "app/cli/console.h"
 #include "app/cli/facts.h"
-#include "renderer/backend_choice.h"
-#include "renderer/export/picture_file.h"
+#include "app/cli/thumbnail_command.h"
 #include "renderer/export/thread_limit.h"
-#include "renderer/plan/planner.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <optional>
 
 namespace limner::cli {
@@ -19,22 +16,12 @@ namespace {
 
 using Facts = nlohmann::ordered_json;
 
+constexpr int kThumbnail = 256; // pixels an edge, as figure-document.md says
+
 constexpr const char* kExamples = R"(Examples:
   limner new head.nii.gz -o head.limner
   limner new dicom-folder -o skull.limner --preset skull --view three-quarter --embed
 )";
-
-/// The picture in file managers and in the studio's list of projects (figure-document.md: 256 pixels an edge).
-std::vector<std::byte> thumbnailOf(const Figure& figure, Task& task) {
-    constexpr int kEdge = 256;
-    Figure square = figure;
-    square.output.widthMm = square.output.heightMm = std::max(figure.output.widthMm, figure.output.heightMm);
-    PlanRequest request;
-    request.size = {kEdge, kEdge};
-    request.subPixels = 2; // small pictures need smooth edges most
-    Planner planner;
-    return renderPng(*planner.plan(square, request, task), *makeBackend("auto"), pictureOptions(figure), task);
-}
 
 } // namespace
 
@@ -76,7 +63,7 @@ int NewCommand::run(Console& console) {
     task.beginPhase("Thumbnail");
     SaveOptions options;
     options.embedVolume = embed_;
-    options.thumbnailPng = thumbnailOf(document.figure, task);
+    options.thumbnailPng = thumbnailOf(document.figure, kThumbnail, task);
     saveDocument(document, path, options, task);
     if (console.json) {
         printFacts(console, Facts{{"file", out_},

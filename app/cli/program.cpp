@@ -11,6 +11,7 @@
 #include "app/cli/self_test_command.h"
 #include "app/cli/style_commands.h"
 #include "app/cli/style_extract_command.h"
+#include "app/cli/thumbnail_command.h"
 #include "app/cli/validate_command.h"
 #include "core/base/error.h"
 #include "core/figure/description.h"
@@ -50,6 +51,7 @@ class Parser {
         app_.formatter(makeHelpFormatter());
         add(app_, "render", std::make_unique<RenderCommand>());
         add(app_, "new", std::make_unique<NewCommand>());
+        add(app_, "thumbnail", std::make_unique<ThumbnailCommand>());
         add(app_, "info", std::make_unique<InfoCommand>());
         add(app_, "validate", std::make_unique<ValidateCommand>());
         add(app_, "explain", std::make_unique<ExplainCommand>());

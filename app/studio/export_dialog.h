@@ -9,12 +9,14 @@ class QComboBox;
 class QDialogButtonBox;
 class QDoubleSpinBox;
 class QLabel;
+class QPushButton;
 class QSpinBox;
 
 namespace limner {
 
-/// What a picture for print shall be: size in millimetres, resolution, kind of file. Says before it starts how many
-/// pixels that is and about how long it takes.
+/// What a picture shall be: a size by name or by numbers (mm, inches or pixels), resolution, kind of file. Says before
+/// it starts how many pixels that is, how much memory it takes and about how long. What was chosen last, but for the
+/// size, which is the figure's, is remembered.
 class ExportDialog : public QDialog {
     Q_OBJECT
 
@@ -30,13 +32,36 @@ class ExportDialog : public QDialog {
     ExportDialog(const Figure& figure, double secondsPerMegaPixel, QWidget* parent = nullptr);
 
     [[nodiscard]] Choice choice() const;
+    [[nodiscard]] QComboBox* sizes() const { return sizes_; }
+    [[nodiscard]] QComboBox* units() const { return units_; }
+    [[nodiscard]] QDoubleSpinBox* width() const { return width_; }
+    [[nodiscard]] QDoubleSpinBox* height() const { return height_; }
+    [[nodiscard]] QSpinBox* dpi() const { return dpi_; }
+    [[nodiscard]] QString estimate() const;
+
+  public Q_SLOTS:
+    void accept() override;
 
   private:
-    void sizeChanged(bool widthLeads);
+    void fillChoices(const Figure& figure);
+    void arrange();
+    void connectFields();
+    void recall(const Figure& figure);
+    void useSize(int place);
+    void showLengths();
+    void lengthChanged(bool widthLeads);
+    void dpiChanged();
     void showEstimate();
+    /// Millimetres of one of the chosen unit.
+    [[nodiscard]] double mmPerUnit() const;
 
+    Output own_; ///< the figure's
     double aspect_;
+    double widthMm_;
+    double heightMm_;
     double secondsPerMegaPixel_;
+    QComboBox* sizes_;
+    QComboBox* units_;
     QDoubleSpinBox* width_;
     QDoubleSpinBox* height_;
     QCheckBox* keepAspect_;
@@ -47,6 +72,7 @@ class ExportDialog : public QDialog {
     QCheckBox* transparent_;
     QLabel* estimate_;
     QDialogButtonBox* buttons_;
+    QPushButton* go_;
 };
 
 /// "about 40 s", "about 3 min".

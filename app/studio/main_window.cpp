@@ -42,8 +42,8 @@ constexpr QSize kFirstSize(1400, 900);
 } // namespace
 
 MainWindow::MainWindow(Engine engine)
-    : engine_(std::move(engine)), exporter_(engine_.makeBackend()), document_(new StudioDocument(this)),
-      actions_(new Actions(this)), feed_(new PictureFeed(engine_.plan, engine_.makeBackend(), this)) {
+    : engine_(std::move(engine)), document_(new StudioDocument(this)), actions_(new Actions(this)),
+      feed_(new PictureFeed(engine_.plan, engine_.makeBackend(), this)) {
     setObjectName("studio");
     setAcceptDrops(true);
     buildPanels();
@@ -225,7 +225,6 @@ void MainWindow::connectActions() {
     on("file.sample", [this] { openSample(); });
     on("file.save", [this] { save(); });
     on("file.save-as", [this] { saveAs(); });
-    on("file.export", [this] { chooseAndExport(); });
     on("file.close", [this] { afterChangesAreSafe([this] { document_->close(); }); });
     on("file.quit", [this] { close(); });
     on("edit.undo", [this] { document_->undo(); });
@@ -327,7 +326,9 @@ void MainWindow::documentChanged() {
 
 void MainWindow::showTitle() {
     const QString program = tr("Limner Studio");
-    setWindowTitle(document_->empty() ? program : tr("%1[*] – %2").arg(document_->name(), program));
+    const QString name =
+        document_->holder().isEmpty() ? document_->name() : tr("%1 (open elsewhere)").arg(document_->name());
+    setWindowTitle(document_->empty() ? program : tr("%1[*] – %2").arg(name, program));
     setWindowModified(document_->dirty());
 }
 
@@ -378,18 +379,9 @@ void MainWindow::pictureArrived(const ScreenPicture& picture) {
         return;
     progress_->show({}, 1);
     viewport_->setPicture(picture);
-    showFacts(picture);
+    facts_->showPicture(picture);
     if (picture.facts.final)
         wantMeasures();
-}
-
-void MainWindow::showFacts(const ScreenPicture& picture) {
-    const PictureFacts& facts = picture.facts;
-    const double rays = picture.image.width() * 1e-6 * picture.image.height();
-    const int perPixel = std::max(1, facts.coarseness.subPixels * facts.coarseness.subPixels);
-    if (facts.coarseness.stepScale == 1)
-        secondsPerMegaPixel_ = facts.renderMs * 1e-3 / std::max(rays * perPixel, 1e-9);
-    facts_->showPicture(picture);
 }
 
 } // namespace limner

@@ -2,7 +2,6 @@
 
 #include "app/studio/action_table.h"
 #include "app/studio/engine.h"
-#include "app/studio/export_dialog.h"
 #include "app/studio/studio_document.h"
 #include "app/studio/workplace.h"
 
@@ -55,7 +54,6 @@ class MainWindow : public QMainWindow {
     void openPath(const std::filesystem::path& path);
     void openSample();
     void savePath(const std::filesystem::path& path);
-    void exportPath(const std::filesystem::path& path, const ExportDialog::Choice& choice);
     void usePreset(const QString& id, const QString& name);
     void useTheme(const QString& id, const QString& name);
     /// Reads a label volume for the open scan; its layers stay as they are.
@@ -78,7 +76,7 @@ class MainWindow : public QMainWindow {
     [[nodiscard]] IslandOverlay& islandTool() { return *island_; }
     [[nodiscard]] NoticeBar& notices() { return *notices_; }
     [[nodiscard]] ExtractionDialog* extraction() const; ///< null while it is not open
-    /// Whether a job of the window (import, labels, save, export, preset, theme) is under way.
+    /// Whether a job of the window (import, labels, save, preset, theme) is under way.
     [[nodiscard]] bool busy() const;
 
     enum class Answer { save, discard, cancel };
@@ -89,7 +87,6 @@ class MainWindow : public QMainWindow {
     void documentOpened();
     void documentSaved();
     void labelsOpened();
-    void pictureExported(const QString& path);
 
   protected:
     void closeEvent(QCloseEvent* event) override;
@@ -129,15 +126,13 @@ class MainWindow : public QMainWindow {
     /// Shows a figure in the document's place; null: the document's own again.
     void showInstead(const std::shared_ptr<const Figure>& figure);
     void pictureArrived(const ScreenPicture& picture);
-    void showFacts(const ScreenPicture& picture);
 
-    void startOpening(const QString& name, std::function<Document(Task&)> load);
+    void startOpening(const QString& name, std::function<Document(Task&)> load, Opened how = Opened::fresh);
     void chooseAndOpen();
     void chooseFolderAndOpen();
     void chooseAndOpenLabels();
     void save();
     void saveAs();
-    void chooseAndExport();
     void copyPicture();
     void showError(const Error& error);
     void showAbout();
@@ -149,7 +144,6 @@ class MainWindow : public QMainWindow {
     void showRecent();
 
     Engine engine_;
-    std::shared_ptr<const Backend> exporter_;
     StudioDocument* document_;
     Actions* actions_;
     PictureFeed* feed_;
@@ -180,13 +174,12 @@ class MainWindow : public QMainWindow {
     QMenu* recent_;
     ProgressStrip* progress_;
     PictureWords* facts_;
-    QPointer<Job> openJob_, saveJob_, exportJob_, lookJob_, labelJob_, resourceJob_, measuresJob_;
+    QPointer<Job> openJob_, saveJob_, lookJob_, labelJob_, resourceJob_, measuresJob_;
     std::shared_ptr<const Figure> instead_;           ///< shown in the document's place: a style held over it
     std::shared_ptr<const ScreenPicture> ownPicture_; ///< final one of the document's figure, meanwhile
     std::shared_ptr<const Figure> wanted_;            ///< what the newest request to the feed shows
     QSize wantedPixels_;
     bool wantedDraft_ = false;
-    double secondsPerMegaPixel_ = 0;
     std::function<void()> afterSave_;
 };
 

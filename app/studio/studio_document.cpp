@@ -19,12 +19,15 @@ QString StudioDocument::name() const {
     return last.empty() ? tr("Untitled") : QString::fromStdString(last.string());
 }
 
-void StudioDocument::open(Document document, std::shared_ptr<const Histogram> histogram) {
+void StudioDocument::open(Document document, std::shared_ptr<const Histogram> histogram, Opened how) {
     source_ = std::move(document);
     histogram_ = std::move(histogram);
     projectPath_ = isProject(source_.path) ? source_.path : std::filesystem::path();
     history_ = History(source_.figure);
-    savedState_ = history_.stateId(); // a scan's first figure can be had again at any time
+    // A scan's first figure can be had again at any time; no state has the number 0.
+    savedState_ = how == Opened::fresh ? history_.stateId() : 0;
+    opened_ = how;
+    holder_.clear();
     open_ = true;
     ongoing_ = false;
     ++generation_;
@@ -35,6 +38,7 @@ void StudioDocument::close() {
     source_ = {};
     histogram_.reset();
     projectPath_.clear();
+    holder_.clear();
     history_ = History();
     open_ = false;
     ++generation_;
@@ -60,6 +64,24 @@ void StudioDocument::redo() {
     ongoing_ = false;
     if (history_.redo())
         Q_EMIT changed();
+}
+
+void StudioDocument::goTo(std::size_t position) {
+    ongoing_ = false;
+    if (history_.goTo(position))
+        Q_EMIT changed();
+}
+
+void StudioDocument::setScan(std::shared_ptr<const Histogram> histogram, ImportReport report) {
+    histogram_ = std::move(histogram);
+    source_.volumeReport = std::move(report);
+}
+
+void StudioDocument::setHolder(const QString& holder) {
+    if (holder_ == holder)
+        return;
+    holder_ = holder;
+    Q_EMIT changed();
 }
 
 Document StudioDocument::snapshot() const {

@@ -11,6 +11,12 @@
 
 namespace limner {
 
+/// How a document came to be open.
+enum class Opened {
+    fresh,    ///< as it is in its file
+    restored, ///< unsaved work of a session that ended without warning: it is in no file yet
+};
+
 /// The document of a window: the figure with its history, where it is kept, and whether it differs from that. All on
 /// the interface's thread. Whatever changes, one signal says so.
 class StudioDocument : public QObject {
@@ -35,11 +41,20 @@ class StudioDocument : public QObject {
     /// Counts documents, so that work started for an earlier one is not applied to a later one.
     [[nodiscard]] unsigned generation() const { return generation_; }
 
-    void open(Document document, std::shared_ptr<const Histogram> histogram);
+    /// Restored work has its project's path in `document.path`, and is dirty.
+    void open(Document document, std::shared_ptr<const Histogram> histogram, Opened how = Opened::fresh);
+    [[nodiscard]] Opened opened() const { return opened_; }
     void close();
     void apply(const Edit& edit);
     void undo();
     void redo();
+    /// Goes to a state of the history by its place there.
+    void goTo(std::size_t position);
+    /// What was found of a scan that was missing when the document was opened. The edit that brings it follows.
+    void setScan(std::shared_ptr<const Histogram> histogram, ImportReport report);
+    /// Which other program has the project open; empty: none. Saving then asks for another name.
+    void setHolder(const QString& holder);
+    [[nodiscard]] const QString& holder() const { return holder_; }
     /// The document as it is, for a worker that writes it.
     [[nodiscard]] Document snapshot() const;
     /// It was written as it was in that state.
@@ -56,6 +71,8 @@ class StudioDocument : public QObject {
     History history_;
     History::StateId savedState_ = 0;
     bool ongoing_ = false;
+    Opened opened_ = Opened::fresh;
+    QString holder_;
     unsigned generation_ = 0;
 };
 

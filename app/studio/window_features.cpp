@@ -2,9 +2,14 @@
 
 #include "app/studio/window_annotations.h"
 #include "app/studio/window_background.h"
+#include "app/studio/window_documents.h"
+#include "app/studio/window_export.h"
+#include "app/studio/window_history.h"
 #include "app/studio/window_looks.h"
+#include "app/studio/window_recovery.h"
 #include "app/studio/window_slices.h"
 #include "app/studio/window_stipple.h"
+#include "app/studio/window_transfer.h"
 #include "app/studio/window_view.h"
 #include "app/studio/window_workspace.h"
 #include "widgets/job.h"
@@ -42,6 +47,9 @@ Workplace MainWindow::workplace() {
             .makeJob = [this](QPointer<Job>& slot, const QString& name,
                               std::function<void(Task&)> work) { return startJob(slot, name, std::move(work)); },
             .showError = [this](const Error& error) { showError(error); },
+            .openDocument = [this](const QString& name, const std::function<Document(Task&)>& load,
+                                   Opened how) { afterChangesAreSafe([=, this] { startOpening(name, load, how); }); },
+            .thumbnail = [this] { return thumbnail(); },
             .tell = [this](const QString& message) { statusBar()->showMessage(message, kMessageMs); }};
 }
 
@@ -66,10 +74,15 @@ void MainWindow::buildFeatures() {
     const Workplace place = workplace();
     new WindowStipple(place); // the window owns them, by their parent
     new WindowBackground(place);
+    new WindowTransfer(place);
     new WindowAnnotations(place);
     new WindowView(place);
     new WindowSlices(place);
     new WindowLooks(place, [this] { return thumbnail(); });
+    new WindowHistory(place);
+    new WindowExport(place);
+    new WindowDocuments(place);
+    new WindowRecovery(place);
     new WindowWorkspace(place);
     arrangePanels();
 }

@@ -2,11 +2,13 @@
 #include "app/studio/main_window.h"
 
 #include "app/studio/extraction_dialog.h"
+#include "app/studio/scan_histogram.h"
 #include "app/studio/welcome_page.h"
 #include "app/studio/window_gallery.h"
 #include "core/figure/presets.h"
 #include "core/figure/themes.h"
 #include "core/project/label_volume.h"
+#include "core/project/project_lock.h"
 #include "core/style/lit_sphere.h"
 #include "core/volume/phantom.h"
 #include "widgets/job.h"
@@ -32,14 +34,12 @@
 #include <QSettings>
 #include <QStatusBar>
 
-#include <cmath>
 #include <utility>
 
 namespace limner {
 namespace {
 
-constexpr int kHistogramBins = 4096; // finer than any screen is wide, at any useful zoom
-constexpr int kSampleSize = 192;     // voxels per side: smooth on paper, made in about a second
+constexpr int kSampleSize = 192; // voxels per side: smooth on paper, made in about a second
 constexpr int kRecent = 8;
 constexpr int kMessageMs = 6000;
 
@@ -53,14 +53,6 @@ QStringList toLines(const std::vector<std::string>& lines) {
 }
 
 QStringList recentPaths() { return QSettings().value("recent").toStringList(); }
-
-/// One bin per value where there are few values: finer ones would stand empty in between.
-int histogramBins(const Volume& volume) {
-    if (volume.type() != VoxelType::uint8)
-        return kHistogramBins;
-    const ValueRange range = volume.range();
-    return 1 + static_cast<int>(std::lround((range.high - range.low) / std::abs(volume.contents().slope)));
-}
 
 /// What a loading job leaves behind.
 struct Loaded {
@@ -84,7 +76,7 @@ Job* MainWindow::startJob(QPointer<Job>& slot, const QString& name, std::functio
     return job;
 }
 
-bool MainWindow::busy() const { return openJob_ || labelJob_ || saveJob_ || exportJob_ || lookJob_; }
+bool MainWindow::busy() const { return openJob_ || labelJob_ || saveJob_ || lookJob_; }
 
 void MainWindow::loadResources() {
     struct Resources {
@@ -104,22 +96,19 @@ void MainWindow::loadResources() {
     job->start();
 }
 
-void MainWindow::startOpening(const QString& name, std::function<Document(Task&)> load) {
+void MainWindow::startOpening(const QString& name, std::function<Document(Task&)> load, Opened how) {
     auto loaded = std::make_shared<Loaded>();
     Job* job = startJob(openJob_, name, [loaded, load = std::move(load)](Task& task) {
         loaded->document = load(task);
         task.throwIfCancelled();
-        const auto& volume = loaded->document.figure.volume;
-        if (volume && volume->data)
-            loaded->histogram =
-                std::make_shared<const Histogram>(computeHistogram(*volume->data, histogramBins(*volume->data)));
+        loaded->histogram = scanHistogram(loaded->document.figure);
     });
-    connect(job, &Job::finished, this, [this, loaded, job] {
+    connect(job, &Job::finished, this, [this, loaded, job, how] {
         openJob_.clear();
         QStringList lines = toLines(loaded->document.notes);
         lines += toLines(loaded->document.volumeReport.warnings);
         lines += toLines(job->warnings());
-        document_->open(std::move(loaded->document), loaded->histogram);
+        document_->open(std::move(loaded->document), loaded->histogram, how);
         transfer_->setHistogram(document_->histogram());
         notices_->setNotices(lines, NoticeBar::Kind::information);
         facts_->setScanWords(lines);
@@ -182,11 +171,11 @@ void MainWindow::openLabelsPath(const std::filesystem::path& path) {
     const std::shared_ptr<const Figure> figure = document_->figure();
     if (!figure || !figure->volume || !figure->volume->data)
         return;
-    struct Opened {
+    struct Read {
         LabelReference labels;
         std::vector<std::string> notes;
     };
-    auto opened = std::make_shared<Opened>();
+    auto opened = std::make_shared<Read>();
     const unsigned generation = document_->generation();
     Job* job = startJob(labelJob_, tr("Opening %1").arg(toText(path.filename())),
                         [opened, path, scan = figure->volume->data](Task& task) {
@@ -208,7 +197,7 @@ void MainWindow::openLabelsPath(const std::filesystem::path& path) {
 }
 
 void MainWindow::save() {
-    if (document_->projectPath().empty())
+    if (document_->projectPath().empty() || !document_->holder().isEmpty())
         saveAs();
     else
         savePath(document_->projectPath());
@@ -230,6 +219,14 @@ void MainWindow::saveAs() {
 void MainWindow::savePath(const std::filesystem::path& path) {
     if (document_->empty())
         return;
+    const bool own = path == document_->projectPath() && document_->holder().isEmpty();
+    if (const auto holder = own ? std::nullopt : projectHolder(path)) {
+        afterSave_ = nullptr;
+        showError({ErrorKind::usage,
+                   {"cannot save the project", path.string(), "another Limner has it open (" + *holder + ")",
+                    "use another name"}});
+        return;
+    }
     const Document snapshot = document_->snapshot();
     const History::StateId state = document_->history().stateId();
     const unsigned generation = document_->generation();
@@ -273,47 +270,6 @@ std::vector<std::byte> MainWindow::thumbnail() const {
     square.save(&buffer, "PNG");
     const auto* bytes = reinterpret_cast<const std::byte*>(png.constData());
     return {bytes, bytes + png.size()};
-}
-
-void MainWindow::chooseAndExport() {
-    if (document_->empty())
-        return;
-    ExportDialog dialog(*document_->figure(), secondsPerMegaPixel_, this);
-    if (dialog.exec() != QDialog::Accepted)
-        return;
-    const ExportDialog::Choice choice = dialog.choice();
-    const QString suggested = QFileInfo(document_->name()).completeBaseName() + "." + choice.ending;
-    QString path = QFileDialog::getSaveFileName(this, tr("Export picture"), suggested,
-                                                tr("%1 picture (*.%2)").arg(choice.ending.toUpper(), choice.ending));
-    if (path.isEmpty())
-        return;
-    if (QFileInfo(path).suffix().isEmpty())
-        path += "." + choice.ending;
-    exportPath(path.toStdString(), choice);
-}
-
-void MainWindow::exportPath(const std::filesystem::path& path, const ExportDialog::Choice& choice) {
-    if (document_->empty())
-        return;
-    Edit edit{*document_->figure(), tr("Change output size").toStdString(), {}, false};
-    edit.figure.output = choice.output;
-    document_->apply(edit);
-    auto figure = std::make_shared<Figure>(*document_->figure());
-    figure->quality.samplesPerPixel = choice.samplesPerPixel;
-    PictureOptions options = pictureOptions(*figure);
-    options.depth = choice.depth;
-    Job* job = startJob(exportJob_, tr("Exporting %1").arg(toText(path.filename())),
-                        [plan = engine_.plan, backend = exporter_, figure, path, options](Task& task) {
-                            const auto made = plan(*figure, {}, task);
-                            exportPicture(*made, *backend, path, options, task);
-                        });
-    connect(job, &Job::finished, this, [this, path] {
-        exportJob_.clear();
-        statusBar()->showMessage(tr("Exported %1").arg(toText(path)), kMessageMs);
-        Q_EMIT pictureExported(toText(path));
-    });
-    progress_->follow(job);
-    job->start();
 }
 
 void MainWindow::usePreset(const QString& id, const QString& name) {
@@ -425,7 +381,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->ignore();
     afterChangesAreSafe([this] {
         document_->close();
-        close();
+        // Not at once: this may still be within the closing that was put off, which a second one would not get past.
+        QMetaObject::invokeMethod(this, &QWidget::close, Qt::QueuedConnection);
     });
 }
 

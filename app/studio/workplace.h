@@ -1,13 +1,16 @@
 #pragma once
 
 #include "app/studio/engine.h"
+#include "app/studio/studio_document.h"
 #include "core/base/error.h"
 
 #include <QPointer>
 #include <QString>
 #include <Qt>
 
+#include <cstddef>
 #include <functional>
+#include <vector>
 
 class QDockWidget;
 class QMainWindow;
@@ -20,7 +23,6 @@ class Job;
 class LayerList;
 class NoticeBar;
 class ProgressStrip;
-class StudioDocument;
 class TransferEditor1d;
 class Viewport;
 
@@ -44,6 +46,10 @@ struct Workplace {
     /// Starts nothing yet: a job that shows its errors and deletes itself; a running one of the slot is cancelled.
     std::function<Job*(QPointer<Job>& slot, const QString& name, std::function<void(Task&)> work)> makeJob;
     std::function<void(const Error& error)> showError;
+    /// Opens what `load` gives on a thread of its own, once unsaved changes are saved or given up.
+    std::function<void(const QString& name, std::function<Document(Task&)> load, Opened how)> openDocument;
+    /// Of the shown picture, 256 pixels square, as a PNG; empty: there is none.
+    std::function<std::vector<std::byte>()> thumbnail;
     std::function<void(const QString& message)> tell; ///< a line in the status bar, for some seconds
 };
 

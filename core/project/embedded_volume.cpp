@@ -1,8 +1,8 @@
 #include "core/project/embedded_volume.h"
 
 #include "core/base/error.h"
+#include "core/project/sha256.h"
 
-#include <openssl/evp.h>
 #include <zlib.h>
 
 #include <cerrno>
@@ -84,30 +84,6 @@ void append(std::string& bytes, double value, const std::string& type) {
         put(static_cast<float>(value));
     }
 }
-
-class Sha256 {
-  public:
-    Sha256() { EVP_DigestInit_ex(context_, EVP_sha256(), nullptr); }
-    ~Sha256() { EVP_MD_CTX_free(context_); }
-    Sha256(const Sha256&) = delete;
-    Sha256& operator=(const Sha256&) = delete;
-    void add(const std::string& bytes) { EVP_DigestUpdate(context_, bytes.data(), bytes.size()); }
-    std::string hex() {
-        unsigned char digest[EVP_MAX_MD_SIZE];
-        unsigned int length = 0;
-        EVP_DigestFinal_ex(context_, digest, &length);
-        constexpr char kDigits[] = "0123456789abcdef";
-        std::string text;
-        for (unsigned int i = 0; i < length; ++i) {
-            text += kDigits[digest[i] >> 4U];
-            text += kDigits[digest[i] & 15U];
-        }
-        return text;
-    }
-
-  private:
-    EVP_MD_CTX* context_ = EVP_MD_CTX_new();
-};
 
 } // namespace
 

@@ -49,6 +49,14 @@ bool History::undo() {
     return true;
 }
 
+bool History::goTo(std::size_t position) {
+    if (position == position_ || position >= steps_.size())
+        return false;
+    position_ = position;
+    mergeOpen_ = false;
+    return true;
+}
+
 bool History::redo() {
     if (!canRedo())
         return false;

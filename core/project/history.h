@@ -55,6 +55,9 @@ class History {
     /// Return false at the end of the list.
     bool undo();
     bool redo();
+    /// Goes to a kept state by its place in `steps`, any number of steps back or forth; all steps stay. Returns whether
+    /// that is another state than the current one; a place that is not there is none.
+    bool goTo(std::size_t position);
 
   private:
     [[nodiscard]] bool merges(const Edit& edit) const;

@@ -1,6 +1,7 @@
 #include "core/style/style_library.h"
 
 #include "core/base/error.h"
+#include "core/base/user_folder.h"
 #include "core/style/png_writing.h"
 #include "core/style/slug.h"
 #include "core/style/style_files.h"
@@ -9,15 +10,11 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iterator>
 #include <optional>
 #include <utility>
-
-#include <pwd.h>
-#include <unistd.h>
 
 namespace limner {
 namespace {
@@ -184,25 +181,7 @@ fs::path existingPicture(const fs::path& folder, const std::string& id) {
 
 StyleLibrary::StyleLibrary(fs::path folder) : folder_(std::move(folder)) {}
 
-fs::path StyleLibrary::userFolder() {
-    const auto named = [](const char* variable) -> fs::path {
-        const char* value = std::getenv(variable);
-        return value != nullptr ? value : "";
-    };
-    if (const fs::path own = named("LIMNER_STYLES"); !own.empty()) {
-        return own;
-    }
-    // Its standard says that a relative path is to be ignored.
-    if (const fs::path data = named("XDG_DATA_HOME"); data.is_absolute()) {
-        return data / "limner" / "styles";
-    }
-    fs::path home = named("HOME");
-    if (home.empty()) {
-        const passwd* user = ::getpwuid(::getuid());
-        home = user == nullptr ? "." : user->pw_dir;
-    }
-    return home / ".local" / "share" / "limner" / "styles";
-}
+fs::path StyleLibrary::userFolder() { return limner::userFolder("LIMNER_STYLES", "styles"); }
 
 StyleLibrary::Listing StyleLibrary::list() const {
     Listing listing;

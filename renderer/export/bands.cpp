@@ -60,6 +60,7 @@ BandLayout chooseBands(glm::ivec2 size, PictureFormat format, const PixelLayout&
     if (bands.rows > kStripRows && bands.rows < size.y) {
         bands.rows = bands.rows / kStripRows * kStripRows;
     }
+    bands.bytes = fixed + rowBytes * static_cast<std::size_t>(bands.rows);
     return bands;
 }
 

@@ -4,6 +4,7 @@
 #include "core/base/pending_file.h"
 #include "renderer/export/backdrop.h"
 #include "renderer/export/bands.h"
+#include "renderer/export/finished_bands.h"
 #include "renderer/export/memory_stream.h"
 #include "renderer/export/picture_writer.h"
 #include "renderer/export/pixel_rows.h"
@@ -16,6 +17,7 @@
 #include <cmath>
 #include <future>
 #include <memory>
+#include <optional>
 
 namespace limner {
 
@@ -68,6 +70,7 @@ class BandPipeline {
         glm::ivec2 size;
         PixelLayout layout;
         BandLayout bands;
+        FinishedBands* kept; ///< null: nothing is kept
     };
 
     BandPipeline(const Parts& parts, PictureWriter& writer, Task& task) : parts_(parts), writer_(writer), task_(task) {}
@@ -78,12 +81,29 @@ class BandPipeline {
         const glm::ivec2 size = parts_.size;
         std::vector<std::byte> inFile; // the band that is being written; outlives the writing
         std::future<void> writing;
-        for (int row = 0; row < size.y; row += parts_.bands.rows) {
+        std::size_t index = 0;
+        std::size_t known = parts_.kept != nullptr ? parts_.kept->count() : 0;
+        for (int row = 0; row < size.y; row += parts_.bands.rows, ++index) {
             const int rows = std::min(parts_.bands.rows, size.y - row);
-            renderBand({{0, row}, {size.x, rows}}, facts);
+            band_.resize(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(rows) *
+                         parts_.layout.bytesPerPixel());
+            BandFacts of;
+            const bool there = index < known && parts_.kept->read(index, band_, of);
+            if (!there) {
+                known = 0; // from here on only the writing touches the finished bands
+                renderBand({{0, row}, {size.x, rows}}, of);
+            }
+            facts.samples += of.samples;
+            facts.shaded += of.shaded;
+            facts.notFinite += of.notFinite;
             finishWriting(writing, afterBand);
             std::swap(band_, inFile);
-            writing = std::async(std::launch::async, [this, &inFile, rows] { writer_.writeRows(inFile, rows); });
+            writing = std::async(std::launch::async, [this, &inFile, rows, index, of, there] {
+                if (parts_.kept != nullptr && !there) {
+                    parts_.kept->add(index, inFile, of);
+                }
+                writer_.writeRows(inFile, rows);
+            });
         }
         finishWriting(writing, afterBand);
     }
@@ -104,10 +124,8 @@ class BandPipeline {
         task_.throwIfCancelled();
     }
 
-    void renderBand(const Tile& band, ExportFacts& facts) {
+    void renderBand(const Tile& band, BandFacts& facts) {
         const glm::ivec2 size = parts_.size;
-        band_.resize(static_cast<std::size_t>(band.size.x) * static_cast<std::size_t>(band.size.y) *
-                     parts_.layout.bytesPerPixel());
         const auto doneAt = [&](int x) {
             return (band.origin.y + static_cast<double>(x) / size.x * band.size.y) / size.y;
         };
@@ -207,7 +225,12 @@ ExportFacts writePictureFile(const RenderPlan& plan, const Backend& backend, con
     facts.dots = picture.dots();
     facts.strokes = picture.strokes();
     task.beginPhase("Rendering");
-    BandPipeline pipeline({picture, annotations, plan.size, header.layout, bands}, writer, task);
+    std::optional<FinishedBands> kept;
+    if (options.resumable) {
+        kept.emplace(path, exportKey(plan, backend, options, path.extension().string(), bands));
+    }
+    BandPipeline pipeline({picture, annotations, plan.size, header.layout, bands, kept ? &*kept : nullptr}, writer,
+                          task);
     pipeline.run(facts, [&] { file.check(); });
     task.beginPhase("Writing");
     try {
@@ -218,10 +241,25 @@ ExportFacts writePictureFile(const RenderPlan& plan, const Backend& backend, con
     }
     task.throwIfCancelled();
     file.commit();
+    if (kept) {
+        kept->remove();
+    }
     return facts;
 }
 
 } // namespace
+
+std::size_t exportMemory(const std::string& ending, glm::ivec2 size, const PictureOptions& options) {
+    const std::filesystem::path path = "picture." + ending;
+    const PictureFormat format = vectorFormatOf(path) ? PictureFormat::png : pictureFormatOf(path);
+    checkSize(format, size, {});
+    return chooseBands(size, format, pixelLayout(format, options), options).bytes;
+}
+
+void forgetUnfinished(const std::filesystem::path& picture) {
+    std::error_code ignored;
+    std::filesystem::remove(FinishedBands::fileFor(picture), ignored);
+}
 
 ExportFacts exportPicture(const RenderPlan& plan, const Backend& backend, const std::filesystem::path& path,
                           const PictureOptions& options, Task& task) {

@@ -25,6 +25,9 @@ struct PictureOptions {
     std::shared_ptr<const BackgroundPicture> backgroundPicture = nullptr;
     std::size_t memoryBudget = std::size_t{1} << 30; ///< beyond the volume
     int tile = 0;                                    ///< edge in pixels; 0: chosen from the budget
+    /// What is drawn is kept beside the picture until that is whole (finished_bands.h), so that an export which failed,
+    /// was stopped or killed goes on where it was when it is asked for again, with the same picture in the end.
+    bool resumable = false;
 };
 
 /// Resolution, background and transparency as the figure has them.
@@ -53,12 +56,18 @@ struct ExportFacts {
 /// hold (a size of 0 is not looked at), more memory than the budget, a folder that is not there.
 void checkExport(const std::filesystem::path& path, glm::ivec2 size, const PictureOptions& options);
 
+/// Bytes of memory that an export to a file of that ending takes beyond the volume, about. Throws as `checkExport`.
+std::size_t exportMemory(const std::string& ending, glm::ivec2 size, const PictureOptions& options);
+
+/// Drops what an export that is not wanted any more has kept beside its picture (`PictureOptions::resumable`).
+void forgetUnfinished(const std::filesystem::path& picture);
+
 /// Renders the plan's whole picture tile by tile, with its annotations over it, and streams it into a file whose ending
 /// picks the format (png, tif, tiff, exr, jpg, jpeg, webp), with dpi and an sRGB profile (EXR: linear, scene-referred
 /// floats); svg and pdf are drawn instead (vector_file.h). Memory stays within the budget for any size in the formats
 /// that can be written by scan line or tile. The file is written beside its final name and renamed at the end: a
-/// failure or a cancellation leaves no partial file. Alpha is not premultiplied in PNG, TIFF and WebP, premultiplied in
-/// EXR. Throws Error.
+/// failure or a cancellation leaves no partial file (but see `resumable`, of which svg and pdf know nothing). Alpha is
+/// not premultiplied in PNG, TIFF and WebP, premultiplied in EXR. Throws Error.
 ExportFacts exportPicture(const RenderPlan& plan, const Backend& backend, const std::filesystem::path& path,
                           const PictureOptions& options, Task& task);
 

@@ -3,6 +3,7 @@
 
 #include "app/studio/export_dialog.h"
 #include "app/studio/window_background.h"
+#include "app/studio/window_export.h"
 #include "app/studio/window_stipple.h"
 #include "core/figure/layer_edits.h"
 #include "core/project/archive.h"
@@ -339,8 +340,10 @@ void exportPng(Studio& studio, const QTemporaryDir& folder) {
     ExportDialog::Choice choice;
     choice.output = {50, 50, 150, false};
     choice.ending = "png";
-    studio.window->exportPath(png, choice);
-    ASSERT_TRUE(pumpUntil([&] { return !studio.window->busy(); }));
+    auto* exports = studio.window->findChild<WindowExport*>();
+    ASSERT_NE(exports, nullptr);
+    exports->exportPath(png, choice);
+    ASSERT_TRUE(pumpUntil([&] { return !exports->busy(); }));
     const QImage exported(QString::fromStdString(png.string()));
     EXPECT_EQ(exported.size(), QSize(295, 295));
     EXPECT_NEAR(exported.dotsPerMeterX(), 150 / 0.0254, 1);

@@ -20,6 +20,7 @@ namespace limner::testing {
 struct Studio {
     Studio() {
         qputenv("LIMNER_STYLES", styles.path().toUtf8());
+        qputenv("LIMNER_RECOVERY", styles.filePath("recovery").toUtf8());
         applyStudioTheme(*qApp);
         window = std::make_unique<MainWindow>(makeEngine());
         window->askAboutChanges = [] { return MainWindow::Answer::discard; };

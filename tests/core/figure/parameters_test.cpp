@@ -57,7 +57,7 @@ TEST(Description, CoversEveryMember) {
     EXPECT_ALL_DESCRIBED(TransferGrid, a, b, c);
     EXPECT_ALL_DESCRIBED(OpacityShape, a, b, c, d, e, f, g);
     EXPECT_ALL_DESCRIBED(DistanceOrigin, a, b);
-    EXPECT_ALL_DESCRIBED(Transfer, a, b, c, d, e, f, g, h);
+    EXPECT_ALL_DESCRIBED(Transfer, a, b, c, d, e, f, g, h, i);
     EXPECT_ALL_DESCRIBED(Contours, a, b, c, d);
     EXPECT_ALL_DESCRIBED(Light, a, b);
     EXPECT_ALL_DESCRIBED(ColourKey, a, b);

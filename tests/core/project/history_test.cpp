@@ -133,5 +133,22 @@ TEST(History, StaysWithinItsLimit) {
     EXPECT_EQ(history.current()->title, "14");
 }
 
+TEST(History, GoesToAnyKeptStateAndKeepsTheOthers) {
+    History history(withTitle("0"));
+    for (int i = 1; i <= 5; ++i)
+        history.apply({withTitle(std::to_string(i)), "step", "key" + std::to_string(i), false});
+    EXPECT_TRUE(history.goTo(1));
+    EXPECT_EQ(history.current()->title, "1");
+    EXPECT_EQ(history.steps().size(), 6U);
+    EXPECT_TRUE(history.goTo(4));
+    EXPECT_EQ(history.current()->title, "4");
+    EXPECT_FALSE(history.goTo(4)) << "there already";
+    EXPECT_FALSE(history.goTo(6)) << "not there";
+    EXPECT_EQ(history.position(), 4U);
+    history.apply({withTitle("other"), "step", "key4", false});
+    EXPECT_EQ(history.position(), 5U) << "who went there has ended the gesture";
+    EXPECT_FALSE(history.canRedo());
+}
+
 } // namespace
 } // namespace limner
