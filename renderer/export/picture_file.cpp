@@ -201,6 +201,7 @@ ExportFacts writePictureFile(const RenderPlan& plan, const Backend& backend, con
 
     ExportFacts facts;
     facts.size = plan.size;
+    removeStaleParts(path);
     PendingFile file(path);
     PictureWriter writer(header, file.stream());
     const MarkedPicture picture(plan, backend, task);
