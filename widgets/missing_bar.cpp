@@ -10,6 +10,8 @@ MissingBar::MissingBar(QWidget* parent)
     : QFrame(parent), text_(new QLabel), find_(new QToolButton), search_(new QToolButton) {
     setObjectName("missing");
     setAutoFillBackground(true);
+    setFrameShape(QFrame::StyledPanel);
+    setBackgroundRole(QPalette::Base); // it stands out from the grey around the sheet
     text_->setWordWrap(true);
     text_->setAccessibleName(tr("Missing file"));
     find_->setText(tr("Find…"));

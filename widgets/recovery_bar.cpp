@@ -11,6 +11,8 @@ namespace limner {
 RecoveryBar::RecoveryBar(QWidget* parent) : QFrame(parent), list_(new QVBoxLayout) {
     setObjectName("recovery");
     setAutoFillBackground(true);
+    setFrameShape(QFrame::StyledPanel);
+    setBackgroundRole(QPalette::Base); // it stands out from the grey around the sheet
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(12, 8, 8, 8);
     layout->setSpacing(6);

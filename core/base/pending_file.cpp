@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <random>
 
@@ -147,6 +148,20 @@ void removePendingFiles() noexcept {
     for (Slot& slot : slots) {
         if (slot.state.load() == Slot::armed) {
             ::unlink(slot.path.data());
+        }
+    }
+}
+
+void removeStaleParts(const std::filesystem::path& finalPath) {
+    namespace fs = std::filesystem;
+    const std::string start = "." + finalPath.filename().string().substr(0, 200) + ".";
+    std::error_code ignored;
+    for (const auto& entry :
+         fs::directory_iterator(finalPath.has_parent_path() ? finalPath.parent_path() : ".", ignored)) {
+        const std::string name = entry.path().filename().string();
+        const auto age = fs::file_time_type::clock::now() - entry.last_write_time(ignored);
+        if (name.starts_with(start) && name.ends_with(".part") && age > std::chrono::minutes(10)) {
+            fs::remove(entry.path(), ignored);
         }
     }
 }

@@ -36,4 +36,8 @@ class PendingFile {
 /// Deletes every pending file of the process. Async-signal-safe: for a signal handler that is about to end the process.
 void removePendingFiles() noexcept;
 
+/// Removes what a program that was killed while it wrote that file has left beside it. None writes for ten minutes
+/// without a pause.
+void removeStaleParts(const std::filesystem::path& finalPath);
+
 } // namespace limner

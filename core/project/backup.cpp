@@ -2,7 +2,6 @@
 
 #include "core/base/error.h"
 
-#include <chrono>
 #include <random>
 #include <string>
 
@@ -67,18 +66,6 @@ void Backup::rotate(Task& task) {
     }
     held_.clear();
     syncFolder(folderOf(path_));
-}
-
-void removeStaleParts(const fs::path& path) {
-    const std::string start = "." + path.filename().string().substr(0, 200) + ".";
-    std::error_code ignored;
-    for (const auto& entry : fs::directory_iterator(folderOf(path), ignored)) {
-        const std::string name = entry.path().filename().string();
-        const auto age = fs::file_time_type::clock::now() - entry.last_write_time(ignored);
-        if (name.starts_with(start) && name.ends_with(".part") && age > std::chrono::minutes(10)) {
-            fs::remove(entry.path(), ignored);
-        }
-    }
 }
 
 } // namespace limner

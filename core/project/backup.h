@@ -28,7 +28,4 @@ class Backup {
     std::filesystem::path held_;
 };
 
-/// Removes what a save that was killed left beside a project. None writes for ten minutes without a pause.
-void removeStaleParts(const std::filesystem::path& path);
-
 } // namespace limner

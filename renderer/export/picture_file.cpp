@@ -219,6 +219,7 @@ ExportFacts writePictureFile(const RenderPlan& plan, const Backend& backend, con
     ExportFacts facts;
     facts.size = plan.size;
     facts.annotations = annotations.count();
+    removeStaleParts(path);
     PendingFile file(path);
     PictureWriter writer(header, file.stream());
     const MarkedPicture picture(plan, backend, task);

@@ -7,9 +7,11 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <regex>
 #include <sstream>
 
@@ -161,8 +163,11 @@ TEST_P(Resume, AKilledExportGoesOn) {
     int status = 0;
     ::waitpid(child, &status, 0);
     ASSERT_TRUE(WIFSIGNALED(status));
+    for (const auto& entry : fs::directory_iterator(folder_.path())) // as if it had been yesterday
+        fs::last_write_time(entry, fs::file_time_type::clock::now() - std::chrono::hours(24));
     GradientBackend backend;
     write(path, backend);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), {}), 1) << "the killed one's file is gone as well";
     EXPECT_LE(backend.calls, (kBands - 5) * tilesPerBand()) << "the band before may not have been written yet";
     GradientBackend whole;
     write(file("whole"), whole);

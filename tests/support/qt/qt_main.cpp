@@ -30,6 +30,8 @@ int main(int argc, char** argv) {
     QApplication::setApplicationName("limner-test");
     const QTemporaryDir settings;
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
+    if (!qEnvironmentVariableIsSet("LIMNER_RECOVERY")) // tests leave no unsaved work with the user
+        qputenv("LIMNER_RECOVERY", settings.filePath("recovery").toUtf8());
     ::testing::UnitTest::GetInstance()->listeners().Append(new Names(&application));
     const int failed = RUN_ALL_TESTS();
     application.report();
