@@ -1,8 +1,11 @@
 #include "widgets/style_gallery.h"
 
 #include "core/figure/layer_edits.h"
+#include "core/figure/shape_edits.h"
 #include "core/figure/style_edits.h"
 #include "core/figure/transfer_edits.h"
+#include "core/style/transfer_function.h"
+#include "renderer/style_target.h"
 #include "widgets/form_parts.h"
 #include "widgets/style_details.h"
 #include "widgets/style_image.h"
@@ -245,12 +248,17 @@ void StyleGallery::setFigure(std::shared_ptr<const Figure> figure, std::size_t l
 }
 
 std::optional<std::size_t> StyleGallery::usedNode() const {
-    return node_ && *node_ < figure_->layers[layer_].transfer.nodes.size() ? node_ : std::nullopt;
+    return node_ && *node_ < styleNodes(figure_->layers[layer_].transfer) ? node_ : std::nullopt;
 }
 
 std::string StyleGallery::shownStyle() const {
-    const auto& nodes = figure_->layers[layer_].transfer.nodes;
-    const StyleEntry* entry = nodes.empty() ? nullptr : figure_->findStyle(nodes[usedNode().value_or(0)].style);
+    const Transfer& transfer = figure_->layers[layer_].transfer;
+    const std::size_t node = usedNode().value_or(0);
+    const StyleEntry* entry = nullptr;
+    if (transfer.grid && secondAxis(transfer))
+        entry = figure_->findStyle(nodeOfCell(*transfer.grid, node).style);
+    else if (node < transfer.nodes.size())
+        entry = figure_->findStyle(transfer.nodes[node].style);
     if (!entry)
         return {};
     for (const GalleryItem& item : list_->items())

@@ -47,6 +47,8 @@ TransferEditor::TransferEditor(TransferEditor1d* line, QWidget* parent)
     layout->addWidget(note_);
     layout->addWidget(stack_, 1);
     connect(plane_, &TransferEditor2d::edited, this, &TransferEditor::edited);
+    connect(plane_, &TransferEditor2d::selectionChanged, this,
+            [this] { line_->setNodeOfPlane(plane_->canvas()->selectedNode()); });
     connect(first_, &QComboBox::activated, this, [this] { takeFirst(chosenWord(first_)); });
     connect(second_, &QComboBox::activated, this, [this] { takeSecond(chosenWord(second_)); });
     fillBoxes();

@@ -111,7 +111,16 @@ void TransferEditor1d::setFigure(std::shared_ptr<const Figure> figure, std::size
     canvas_->setFigure(std::move(figure), layer);
 }
 
+void TransferEditor1d::setNodeOfPlane(std::optional<std::size_t> node) {
+    if (node == nodeOfPlane_)
+        return;
+    nodeOfPlane_ = node;
+    Q_EMIT selectionChanged();
+}
+
 std::optional<std::size_t> TransferEditor1d::selectedNode() const {
+    if (!canvas_->transfer())
+        return nodeOfPlane_;
     const auto& handle = canvas_->selected();
     if (handle && handle->kind == TransferCanvas::HandleKind::node)
         return handle->index;

@@ -26,8 +26,9 @@ class TransferEditor1d : public QWidget {
     [[nodiscard]] QComboBox* curve() const { return curve_; }
     void setStyleSource(StyleSource source) { canvas_->setStyleSource(std::move(source)); }
     [[nodiscard]] TransferCanvas* canvas() const { return canvas_; }
-    /// The selected style node, if one is selected.
+    /// The selected style node, if one is selected; of a layer over two axes the one that is selected in its plane.
     [[nodiscard]] std::optional<std::size_t> selectedNode() const;
+    void setNodeOfPlane(std::optional<std::size_t> node);
 
   Q_SIGNALS:
     void edited(const limner::Edit& edit);
@@ -47,6 +48,7 @@ class TransferEditor1d : public QWidget {
     QToolButton* remove_;
     QComboBox* curve_;
     QComboBox* counts_;
+    std::optional<std::size_t> nodeOfPlane_;
     bool locked_ = false; ///< the layer must stay as it is
 };
 

@@ -214,6 +214,8 @@ QWidget* TransferEditor2d::numberRow() {
         label->setBuddy(box);
         label->setToolTip(box->toolTip());
         label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // long words must not widen the panel
+        if (box == x_ || box == y_)                                         // their names come with the figure
+            (box == x_ ? xName_ : yName_) = label;
         form->addWidget(label, 0, column);
         form->addWidget(box, 1, column);
         form->setColumnStretch(column++, 1);
@@ -265,8 +267,11 @@ void TransferEditor2d::setFigure(std::shared_ptr<const Figure> figure, std::size
                                                      : QString();
         };
         suit(x_, shownRange(*figure, t, firstAxis(t)), unitOf(firstAxis(t)));
-        if (const auto second = secondAxis(t))
+        if (const auto second = secondAxis(t)) {
             suit(y_, shownRange(*figure, t, *second), unitOf(*second));
+            xName_->setText(axisName(t.axes[0]));
+            yName_->setText(axisName(t.axes[1]));
+        }
     }
     canvas_->setFigure(std::move(figure), layer);
 }

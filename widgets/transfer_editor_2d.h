@@ -48,6 +48,8 @@ class TransferEditor2d : public QWidget {
     QSlider* brushSize_;
     QSlider* brushSoftness_;
     QLabel* note_;
+    QLabel* xName_ = nullptr;
+    QLabel* yName_ = nullptr;
     QDoubleSpinBox* x_;
     QDoubleSpinBox* y_;
     QDoubleSpinBox* opacity_;

@@ -315,6 +315,18 @@ TEST(TransferEditor, TheSecondAxisMakesAPlaneAndItsAbsenceALine) {
     EXPECT_EQ(*e.history.current(), figure);
 }
 
+/// The gallery asks the line's editor what a click would style.
+TEST(TransferEditor, TheSelectedBallOfThePlaneIsTheSelectedNode) {
+    Edited e;
+    int told = 0;
+    QObject::connect(e.line, &TransferEditor1d::selectionChanged, [&] { ++told; });
+    e.canvas().select(Handle{Kind::node, 2, 0});
+    EXPECT_EQ(e.line->selectedNode(), 2U);
+    EXPECT_EQ(told, 1);
+    e.canvas().select(Handle{Kind::shape, 0, 0});
+    EXPECT_FALSE(e.line->selectedNode());
+}
+
 TEST(TransferEditor, SaysWhatAnAxisLacks) {
     Figure figure = planeFigure();
     figure.layers[0].transfer.axes = {"value", "label"};
