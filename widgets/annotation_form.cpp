@@ -3,6 +3,7 @@
 #include "core/figure/annotation_edits.h"
 #include "core/figure/rich_text.h"
 #include "widgets/colour_button.h"
+#include "widgets/core_words.h"
 #include "widgets/form_parts.h"
 
 #include <QAction>
@@ -213,7 +214,7 @@ void AnnotationForm::buildSettings() {
 
 void AnnotationForm::connectSettings() {
     connect(words_, &QPlainTextEdit::textChanged, this, [this] {
-        change(tr("Write %1").arg(kindName(figure_->annotations[*selected()].kind).toLower()),
+        change(tr("Write %1").arg(inSentence(kindName(figure_->annotations[*selected()].kind))),
                key_.again("annotation/words"), [&](Annotation& a) { a.text = words_->toPlainText().toStdString(); });
     });
     const auto optional = [](double value) { return value > 0 ? std::optional(value) : std::nullopt; };
@@ -363,7 +364,7 @@ void AnnotationForm::mark(const char* tag) {
 void AnnotationForm::addKind(const std::string& kind) {
     if (!figure_ || figure_->annotations.size() >= kMostAnnotations)
         return;
-    Edit edit{*figure_, tr("Add %1").arg(kindName(kind).toLower()).toStdString(), {}, false};
+    Edit edit{*figure_, tr("Add %1").arg(inSentence(kindName(kind))).toStdString(), {}, false};
     Annotation annotation = newAnnotation(kind);
     if (kind == "caption")
         annotation.text = tr("Caption").toStdString();
@@ -381,8 +382,10 @@ void AnnotationForm::removeSelected() {
     const auto chosen = selected();
     if (!chosen)
         return;
-    Edit edit{
-        *figure_, tr("Remove %1").arg(kindName(figure_->annotations[*chosen].kind).toLower()).toStdString(), {}, false};
+    Edit edit{*figure_,
+              tr("Remove %1").arg(inSentence(kindName(figure_->annotations[*chosen].kind))).toStdString(),
+              {},
+              false};
     auto& left = edit.figure.annotations;
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(*chosen));
     Q_EMIT edited(edit);

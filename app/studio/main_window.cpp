@@ -254,6 +254,7 @@ void MainWindow::connectActions() {
     connect(welcome_, &WelcomePage::openWanted, this, &MainWindow::chooseAndOpen);
     connect(welcome_, &WelcomePage::openFolderWanted, this, &MainWindow::chooseFolderAndOpen);
     connect(welcome_, &WelcomePage::sampleWanted, this, &MainWindow::openSample);
+    connect(welcome_, &WelcomePage::figureWanted, this, &MainWindow::openSampleFigure);
     connect(welcome_, &WelcomePage::recentWanted, this, [this](const QString& path) { openPath(path.toStdString()); });
 }
 

@@ -53,6 +53,7 @@ class MainWindow : public QMainWindow {
     /// Each starts a job and returns; a running one of the same sort is cancelled first.
     void openPath(const std::filesystem::path& path);
     void openSample();
+    void openSampleFigure(const QString& id);
     void savePath(const std::filesystem::path& path);
     void usePreset(const QString& id, const QString& name);
     void useTheme(const QString& id, const QString& name);

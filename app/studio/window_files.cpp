@@ -9,6 +9,7 @@
 #include "core/figure/themes.h"
 #include "core/project/label_volume.h"
 #include "core/project/project_lock.h"
+#include "core/project/sample_figures.h"
 #include "core/style/lit_sphere.h"
 #include "core/volume/phantom.h"
 #include "widgets/job.h"
@@ -83,15 +84,20 @@ void MainWindow::loadResources() {
         std::vector<Style> styles;
         std::vector<PresetCard> presets;
         std::vector<ThemeCard> themes;
+        std::vector<SampleFigure> figures; ///< whose scans are here
     };
     auto read = std::make_shared<Resources>();
     Job* job = startJob(resourceJob_, tr("Reading styles, presets and themes"), [read](Task&) {
-        *read = {bundledStyles(), bundledPresets(), bundledThemes()};
+        *read = {bundledStyles(), bundledPresets(), bundledThemes(), {}};
+        for (const SampleFigure& figure : sampleFigures())
+            if (!findSampleScan(figure).empty())
+                read->figures.push_back(figure);
     });
     connect(job, &Job::finished, this, [this, read] {
         styles_->shelf().setBundled(read->styles);
         presets_->setPresets(read->presets);
         themes_->setThemes(read->themes);
+        welcome_->setFigures(read->figures);
     });
     job->start();
 }
@@ -127,6 +133,17 @@ void MainWindow::openPath(const std::filesystem::path& path) {
             Document document = openDocument(path, "auto", {}, task);
             document.path = path;
             return document;
+        });
+    });
+}
+
+void MainWindow::openSampleFigure(const QString& id) {
+    afterChangesAreSafe([this, id] {
+        startOpening(tr("Opening a sample figure"), [id = id.toStdString()](Task& task) {
+            OpenOptions options;
+            options.sample = id;
+            const std::filesystem::path scan = findSampleScan(findSampleFigure(id));
+            return openDocument(scan, options, task);
         });
     });
 }

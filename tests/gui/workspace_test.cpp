@@ -3,6 +3,7 @@
 
 #include "app/studio/shortcuts_dialog.h"
 #include "app/studio/variant_dialog.h"
+#include "app/studio/welcome_page.h"
 #include "app/studio/window_looks.h"
 #include "app/studio/window_slices.h"
 #include "app/studio/window_view.h"
@@ -24,6 +25,8 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QTableWidget>
+
+#include <filesystem>
 
 namespace limner {
 namespace {
@@ -54,6 +57,31 @@ TEST(Workspace, EveryCommandIsFoundByItsName) {
     EXPECT_LT(studio.window->palette().color(QPalette::Window).lightness(), 100) << "the colours change at once";
     EXPECT_EQ(chosenStudioTheme(), StudioTheme::dark);
     workspace->useTheme(StudioTheme::light);
+}
+
+TEST(Welcome, SampleFiguresOfScansThatAreHereAreOpened) {
+    const std::string scans = std::string(LIMNER_TEST_DATA) + "/volumes";
+    if (!std::filesystem::exists(scans + "/tooth.nrrd"))
+        GTEST_SKIP() << "the test scans are not here";
+    qputenv("LIMNER_SAMPLES", QByteArray::fromStdString(scans));
+    {
+        Studio studio;
+        auto* welcome = studio.window->findChild<WelcomePage*>();
+        QListWidget* list = welcome->figures();
+        ASSERT_TRUE(pumpUntil([&] { return list->count() > 0; }));
+        const auto tooth = [&] {
+            for (int i = 0; i < list->count(); ++i)
+                if (findSampleFigure(list->item(i)->data(Qt::UserRole).toString().toStdString()).scan == "tooth.nrrd")
+                    return list->item(i);
+            return static_cast<QListWidgetItem*>(nullptr);
+        }();
+        ASSERT_NE(tooth, nullptr);
+        Q_EMIT list->itemActivated(tooth);
+        ASSERT_TRUE(pumpUntil([&] { return !studio.window->document().empty(); }));
+        EXPECT_TRUE(studio.figure().volume && studio.figure().volume->data);
+        EXPECT_FALSE(studio.window->document().dirty());
+    }
+    qunsetenv("LIMNER_SAMPLES");
 }
 
 TEST(Workspace, LayoutsAreKeptByName) {
