@@ -7,6 +7,8 @@ namespace limner {
 /// Outlines a form by a lasso: a new one, Shift adds to the one that there is, Alt takes away. With the option the
 /// outline is fitted to the picture's edges, which is asked of the canvas.
 class OutlineTool : public ArtworkTool {
+    Q_DECLARE_TR_FUNCTIONS(limner::OutlineTool)
+
   public:
     using ArtworkTool::ArtworkTool;
 
@@ -29,6 +31,8 @@ ExtractionDraft withRegion(const ExtractionDraft& draft, MaskPtr region, Outline
 
 /// Paints the form, or what is to be ignored; Alt erases.
 class BrushTool : public ArtworkTool {
+    Q_DECLARE_TR_FUNCTIONS(limner::BrushTool)
+
   public:
     enum class On { region, ignored };
     BrushTool(ToolHost& host, On on) : ArtworkTool(host), on_(on) {}

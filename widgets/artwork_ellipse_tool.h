@@ -10,6 +10,8 @@ namespace limner {
 /// Draws a ball's outline, as a circle or an ellipse, and holds the one that there is by its handles. A click takes the
 /// proposal under it. Alt draws the other way (edge to edge, or from the centre), Shift draws a circle.
 class EllipseTool : public ArtworkTool {
+    Q_DECLARE_TR_FUNCTIONS(limner::EllipseTool)
+
   public:
     EllipseTool(ToolHost& host, bool circle) : ArtworkTool(host), circle_(circle) {}
 

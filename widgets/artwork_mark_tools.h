@@ -8,6 +8,8 @@ namespace limner {
 
 /// Tells a form's normal at a place: a press sets a mark, dragging its needle turns and tilts it. Ctrl moves a mark.
 class NormalTool : public ArtworkTool {
+    Q_DECLARE_TR_FUNCTIONS(limner::NormalTool)
+
   public:
     using ArtworkTool::ArtworkTool;
 
@@ -36,6 +38,8 @@ class NormalTool : public ArtworkTool {
 
 /// Draws ridges and valleys: clicks set corners, Enter or a double click ends; the handle across it tilts the sides.
 class CreaseTool : public ArtworkTool {
+    Q_DECLARE_TR_FUNCTIONS(limner::CreaseTool)
+
   public:
     using ArtworkTool::ArtworkTool;
 
@@ -69,6 +73,8 @@ class CreaseTool : public ArtworkTool {
 
 /// Draws along parts of a form's outline where the form goes on, hidden or cut off.
 class OpenOutlineTool : public ArtworkTool {
+    Q_DECLARE_TR_FUNCTIONS(limner::OpenOutlineTool)
+
   public:
     using ArtworkTool::ArtworkTool;
 

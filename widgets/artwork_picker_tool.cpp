@@ -1,6 +1,7 @@
 #include "widgets/artwork_picker_tool.h"
 
 #include "widgets/artwork_painting.h"
+#include "widgets/core_words.h"
 #include "widgets/draft_edits.h"
 
 #include <QPainter>
@@ -53,7 +54,7 @@ void PickerTool::pick(glm::dvec2 place, bool ongoing) {
     changed.form = FormKind::swatches;
     if (colour)
         changed.swatches.picked[indexOf(host().options().role)] = PickedSwatch{*colour, place};
-    during(std::move(changed), tr("Pick %1").arg(roleName(host().options().role).toLower()), ongoing);
+    during(std::move(changed), tr("Pick %1").arg(inSentence(roleName(host().options().role))), ongoing);
 }
 
 void PickerTool::press(const ToolPointer& pointer) {
@@ -95,7 +96,7 @@ bool PickerTool::nudge(glm::dvec2 by) {
 void PickerTool::remove() {
     ExtractionDraft changed = draft();
     changed.swatches.picked[indexOf(host().options().role)].reset();
-    once(std::move(changed), tr("Remove %1").arg(roleName(host().options().role).toLower()));
+    once(std::move(changed), tr("Remove %1").arg(inSentence(roleName(host().options().role))));
 }
 
 void PickerTool::paint(QPainter& painter) const {

@@ -8,6 +8,8 @@ namespace limner {
 
 /// Picks the colours of which a sphere is made: a click takes the chosen one and goes to the next.
 class PickerTool : public ArtworkTool {
+    Q_DECLARE_TR_FUNCTIONS(limner::PickerTool)
+
   public:
     using ArtworkTool::ArtworkTool;
 

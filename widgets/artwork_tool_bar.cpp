@@ -35,19 +35,30 @@ struct ToolRow {
     bool startsGroup;
 };
 
-#define TEXT(words) QT_TRANSLATE_NOOP("limner::ArtworkToolBar", words)
 constexpr ToolRow kTools[] = {
-    {ToolKind::circle, TEXT("Circle"), TEXT("Take a style from a round thing: a ball, an eye, a fruit"), "C", false},
-    {ToolKind::ellipse, TEXT("Ellipse"), TEXT("As the circle, for a ball seen at an angle or egg-shaped"), "E", false},
-    {ToolKind::region, TEXT("Region"), TEXT("Take a style from any shaded form: drag around it"), "R", true},
-    {ToolKind::brush, TEXT("Brush"), TEXT("Paint more of the form, or erase some of it"), "B", false},
-    {ToolKind::normal, TEXT("Normal"), TEXT("Tell how the form faces at a place"), "N", false},
-    {ToolKind::crease, TEXT("Crease"), TEXT("Draw a ridge or a valley of the form"), "L", false},
-    {ToolKind::open, TEXT("Open edge"), TEXT("Tell where the form goes on behind something or is cut off"), "O", false},
-    {ToolKind::ignore, TEXT("Ignore"), TEXT("Paint over letters and lines that are not the form's"), "I", true},
-    {ToolKind::picker, TEXT("Picker"), TEXT("Make a style of two to five colours picked from the artwork"), "P", true},
+    {ToolKind::circle, QT_TRANSLATE_NOOP("limner::ArtworkToolBar", "Circle"),
+     QT_TRANSLATE_NOOP("limner::ArtworkToolBar", "Take a style from a round thing: a ball, an eye, a fruit"), "C",
+     false},
+    {ToolKind::ellipse, QT_TRANSLATE_NOOP("limner::ArtworkToolBar", "Ellipse"),
+     QT_TRANSLATE_NOOP("limner::ArtworkToolBar", "As the circle, for a ball seen at an angle or egg-shaped"), "E",
+     false},
+    {ToolKind::region, QT_TRANSLATE_NOOP("limner::ArtworkToolBar", "Region"),
+     QT_TRANSLATE_NOOP("limner::ArtworkToolBar", "Take a style from any shaded form: drag around it"), "R", true},
+    {ToolKind::brush, QT_TRANSLATE_NOOP("limner::ArtworkToolBar", "Brush"),
+     QT_TRANSLATE_NOOP("limner::ArtworkToolBar", "Paint more of the form, or erase some of it"), "B", false},
+    {ToolKind::normal, QT_TRANSLATE_NOOP("limner::ArtworkToolBar", "Normal"),
+     QT_TRANSLATE_NOOP("limner::ArtworkToolBar", "Tell how the form faces at a place"), "N", false},
+    {ToolKind::crease, QT_TRANSLATE_NOOP("limner::ArtworkToolBar", "Crease"),
+     QT_TRANSLATE_NOOP("limner::ArtworkToolBar", "Draw a ridge or a valley of the form"), "L", false},
+    {ToolKind::open, QT_TRANSLATE_NOOP("limner::ArtworkToolBar", "Open edge"),
+     QT_TRANSLATE_NOOP("limner::ArtworkToolBar", "Tell where the form goes on behind something or is cut off"), "O",
+     false},
+    {ToolKind::ignore, QT_TRANSLATE_NOOP("limner::ArtworkToolBar", "Ignore"),
+     QT_TRANSLATE_NOOP("limner::ArtworkToolBar", "Paint over letters and lines that are not the form's"), "I", true},
+    {ToolKind::picker, QT_TRANSLATE_NOOP("limner::ArtworkToolBar", "Picker"),
+     QT_TRANSLATE_NOOP("limner::ArtworkToolBar", "Make a style of two to five colours picked from the artwork"), "P",
+     true},
 };
-#undef TEXT
 
 /// At once: a button's own short cut waits for the picture of a press, and the hand may be faster.
 void clickBy(QToolButton* button, const char* key) {

@@ -3,6 +3,7 @@
 #include "core/figure/cleanup_start.h"
 #include "core/figure/parameters.h"
 #include "widgets/cleanup_words.h"
+#include "widgets/core_words.h"
 #include "widgets/form_parts.h"
 #include "widgets/parameter_row.h"
 
@@ -82,7 +83,7 @@ void CleanupForm::buildRows() {
         rows_.push_back({row, of, has});
         addLabelled(form_, row->label(), row, row->slider());
         connect(row, &ParameterRow::changed, this, [=, this](double value, const std::string& key, bool ongoing) {
-            editStep(tr("Change %1").arg(row->label().toLower()), key, ongoing,
+            editStep(tr("Change %1").arg(inSentence(row->label())), key, ongoing,
                      [&](CleanupStep& step) { of(step) = value; });
         });
     };

@@ -2,6 +2,7 @@
 
 #include "core/figure/figure.h"
 #include "core/figure/parameters.h"
+#include "widgets/core_words.h"
 
 #include <QApplication>
 #include <QComboBox>
@@ -118,8 +119,8 @@ const Volume* scanOf(const Figure* figure) {
     return figure && figure->volume && figure->volume->data ? figure->volume->data.get() : nullptr;
 }
 
-QString labelOfSetting(std::string_view pointer) { return QString::fromStdString(setting(pointer).label); }
+QString labelOfSetting(std::string_view pointer) { return coreWord(setting(pointer).label); }
 
-QString helpOfSetting(std::string_view pointer) { return QString::fromStdString(setting(pointer).help); }
+QString helpOfSetting(std::string_view pointer) { return coreWord(setting(pointer).help); }
 
 } // namespace limner

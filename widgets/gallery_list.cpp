@@ -1,5 +1,6 @@
 #include "widgets/gallery_list.h"
 
+#include "widgets/core_words.h"
 #include "widgets/gallery_rows.h"
 #include "widgets/style_mime.h"
 
@@ -128,9 +129,9 @@ void GalleryList::addStyle(const GalleryItem& item) {
     row->setData(kFavouriteRole, item.favourite);
     row->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled);
     row->setToolTip(tipOf(item));
-    row->setData(Qt::AccessibleTextRole, item.favourite
-                                             ? tr("%1, a favourite, %2").arg(row->text(), titleOf(item.home).toLower())
-                                             : tr("%1, %2").arg(row->text(), titleOf(item.home).toLower()));
+    row->setData(Qt::AccessibleTextRole,
+                 item.favourite ? tr("%1, a favourite, %2").arg(row->text(), inSentence(titleOf(item.home)))
+                                : tr("%1, %2").arg(row->text(), inSentence(titleOf(item.home))));
 }
 
 void GalleryList::addNote(const QString& text, StyleHome home) {

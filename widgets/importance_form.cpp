@@ -1,5 +1,6 @@
 #include "widgets/importance_form.h"
 
+#include "widgets/core_words.h"
 #include "widgets/form_parts.h"
 #include "widgets/lens_form.h"
 #include "widgets/parameter_row.h"
@@ -45,7 +46,7 @@ void ImportanceForm::buildRows(QFormLayout* measures, QFormLayout* limits) {
         connect(row, &ParameterRow::changed, this, [=, this](double value, const std::string& key, bool ongoing) {
             if (!figure_ || !figure_->importance)
                 return;
-            Edit edit{*figure_, tr("Change %1").arg(row->label().toLower()).toStdString(), key, ongoing};
+            Edit edit{*figure_, tr("Change %1").arg(inSentence(row->label())).toStdString(), key, ongoing};
             of(*edit.figure.importance) = value;
             Q_EMIT edited(edit);
         });

@@ -1,6 +1,7 @@
 #include "widgets/layer_list.h"
 
 #include "core/figure/layer_edits.h"
+#include "core/figure/shape_edits.h"
 #include "widgets/layer_rows.h"
 
 #include <QAction>
@@ -129,10 +130,14 @@ void LayerList::showRows() {
         item->setData(LayerRows::kLockRole, layer.locked);
         item->setForeground(palette().color(figure_->draws(layer) ? QPalette::Active : QPalette::Disabled,
                                             QPalette::Text)); // another one's solo hides it too
-        if (!layer.transfer.nodes.empty())
-            item->setIcon(untinted(balls_.ball(*figure_, layer.transfer.nodes.front(), kBall, devicePixelRatioF())));
-        else
+        const Transfer& transfer = layer.transfer;
+        const bool grid = transfer.kind == TransferKind::twoDimensional && transfer.grid;
+        if (grid || !transfer.nodes.empty()) {
+            const TransferNode node = grid ? nodeOfCell(*transfer.grid, 0) : transfer.nodes.front();
+            item->setIcon(untinted(balls_.ball(*figure_, node, kBall, devicePixelRatioF())));
+        } else {
             item->setIcon({});
+        }
     }
     if (count > 0)
         list_->setCurrentRow(static_cast<int>(selected_));

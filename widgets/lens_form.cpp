@@ -1,5 +1,6 @@
 #include "widgets/lens_form.h"
 
+#include "widgets/core_words.h"
 #include "widgets/form_parts.h"
 #include "widgets/importance_form.h"
 #include "widgets/lens_place.h"
@@ -85,7 +86,7 @@ void LensForm::buildRows(QFormLayout* form) {
         rows_.push_back({row, of});
         addLabelled(form, row->label(), row, row->slider());
         connect(row, &ParameterRow::changed, this, [=, this](double value, const std::string& key, bool ongoing) {
-            editLens(tr("Change %1 of lens").arg(row->label().toLower()), key, ongoing,
+            editLens(tr("Change %1 of lens").arg(inSentence(row->label())), key, ongoing,
                      [&](Lens& lens) { of(lens) = value; });
         });
     };

@@ -1,6 +1,7 @@
 #include "widgets/parameter_row.h"
 
 #include "core/figure/parameters.h"
+#include "widgets/core_words.h"
 #include "widgets/form_parts.h"
 
 #include <QDoubleSpinBox>
@@ -27,7 +28,7 @@ ParameterRow::ParameterRow(std::string pointer, const Useful& useful, QWidget* p
     : QWidget(parent), pointer_(std::move(pointer)), parameter_(findParameter(pointer_)), useful_(useful),
       slider_(new QSlider(Qt::Horizontal)), box_(new QDoubleSpinBox), picture_(new QLabel) {
     assert(parameter_);
-    const QString tip = QString::fromStdString(parameter_->help);
+    const QString tip = coreWord(parameter_->help);
     slider_->setRange(0, kSteps);
     slider_->setPageStep(kSteps / 10);
     slider_->setAccessibleName(label());
@@ -82,7 +83,7 @@ void ParameterRow::setUseful(const Useful& useful) {
     box_->setSingleStep((useful.high - useful.low) / 100);
 }
 
-QString ParameterRow::label() const { return QString::fromStdString(parameter_->label); }
+QString ParameterRow::label() const { return coreWord(parameter_->label); }
 
 void ParameterRow::setPicture(const QImage& picture) {
     picture_->setPixmap(QPixmap::fromImage(picture));

@@ -1,5 +1,7 @@
 #include "widgets/part_form.h"
 
+#include "widgets/core_words.h"
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
@@ -98,7 +100,7 @@ void PartForm::setFigure(std::shared_ptr<const Figure> figure, std::size_t layer
 }
 
 void PartForm::setPresent(bool on) {
-    const QString name = present_->text().toLower();
+    const QString name = inSentence(present_->text());
     submit(on ? tr("Add %1").arg(name) : tr("Remove %1").arg(name), {}, false,
            [&](Figure& changed) { put(changed, layer_, on); });
     if (this->on())

@@ -3,6 +3,7 @@
 #include "core/figure/layer_edits.h"
 #include "core/project/history.h"
 #include "widgets/colour_button.h"
+#include "widgets/core_words.h"
 #include "widgets/form_parts.h"
 #include "widgets/light_form.h"
 #include "widgets/parameter_row.h"
@@ -101,7 +102,7 @@ class PartFormOf : public PartForm {
                    const QString& label = {}) {
         ParameterRow* row = addRow(pointer, useful, label);
         onShow([=](Part part) { row->setValue(of(part)); });
-        const QString what = tr("Change %1").arg((label.isEmpty() ? row->label() : label).toLower());
+        const QString what = PartForm::tr("Change %1").arg(inSentence(label.isEmpty() ? row->label() : label));
         connect(row, &ParameterRow::changed, this, [=, this](double value, const std::string& key, bool ongoing) {
             change(what, key, ongoing, [=](Part& part) { of(part) = value; });
         });
@@ -110,7 +111,7 @@ class PartFormOf : public PartForm {
         ColourButton* button = addColourRow(pointer);
         onShow([=](Part part) { button->setColour(of(part)); });
         connect(button, &ColourButton::chosen, this, [=, this](const glm::dvec3& rgb) {
-            change(tr("Change colour"), {}, false, [=](Part& part) { of(part) = rgb; });
+            change(PartForm::tr("Change colour"), {}, false, [=](Part& part) { of(part) = rgb; });
         });
         return button;
     }
@@ -118,7 +119,7 @@ class PartFormOf : public PartForm {
         LightForm* light = addLightRow(pointer);
         onShow([=, this](Part part) { light->setLight(of(part), figure()->camera); });
         connect(light, &LightForm::changed, this, [=, this](const Light& to, const std::string& key, bool ongoing) {
-            change(tr("Move light"), key, ongoing, [=](Part& part) { of(part) = to; });
+            change(PartForm::tr("Move light"), key, ongoing, [=](Part& part) { of(part) = to; });
         });
         return light;
     }
@@ -126,7 +127,7 @@ class PartFormOf : public PartForm {
         QComboBox* box = addChoiceRow(pointer, words);
         onShow([=](Part part) { choose(box, of(part)); });
         onChosen(box, [=, this] {
-            change(tr("Change %1").arg(labelOfSetting(pointer).toLower()), {}, false,
+            change(PartForm::tr("Change %1").arg(inSentence(labelOfSetting(pointer))), {}, false,
                    [=](Part& part) { of(part) = chosenWord(box); });
         });
         return box;

@@ -1,5 +1,7 @@
 #include "widgets/preset_menu.h"
 
+#include "widgets/core_words.h"
+
 namespace limner {
 
 PresetMenu::PresetMenu(QWidget* parent) : QMenu(tr("&Preset"), parent) { setToolTipsVisible(true); }
@@ -9,12 +11,12 @@ void PresetMenu::setPresets(const std::vector<PresetCard>& presets) {
     needLabels_.clear();
     for (const PresetCard& card : presets) {
         const QString id = QString::fromStdString(card.id);
-        const QString name = QString::fromStdString(card.name);
+        const QString name = coreWord(card.name);
         const QString modality = QString::fromStdString(card.modality);
         QAction* action =
             addAction(card.modality == "any" || card.modality == "labels" ? name : tr("%1 (%2)").arg(name, modality));
         action->setObjectName("preset." + id);
-        action->setToolTip(QString::fromStdString(card.help));
+        action->setToolTip(coreWord(card.help));
         action->setStatusTip(action->toolTip());
         connect(action, &QAction::triggered, this, [this, id, name] { Q_EMIT chosen(id, name); });
         if (card.modality == "labels")

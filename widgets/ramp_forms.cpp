@@ -2,6 +2,7 @@
 
 #include "core/figure/camera_moves.h"
 #include "core/figure/part_presets.h"
+#include "widgets/core_words.h"
 #include "widgets/form_parts.h"
 
 #include <QComboBox>
@@ -38,8 +39,8 @@ ToneForm::ToneForm()
                 change(what, key, ongoing, [&](Tone& tone) { tone.keys = toneKeysOf(keys); });
             });
     for (const PartPreset<Tone>& preset : tonePresets()) {
-        const QString name = QString::fromStdString(preset.name);
-        ramp_->addPreset(name, QString::fromStdString(preset.help), [this, name, &preset] {
+        const QString name = coreWord(preset.name);
+        ramp_->addPreset(name, coreWord(preset.help), [this, name, &preset] {
             change(tr("Tone “%1”").arg(name), {}, false, [&](Tone& tone) { // the light stays where it was put
                 tone.keys = preset.part.keys;
                 tone.saturation = preset.part.saturation;
@@ -62,8 +63,8 @@ PositionForm::PositionForm()
                 change(what, key, ongoing, [&](PositionRamp& position) { position.ramp = keys; });
             });
     for (const PartPreset<PositionRamp>& preset : positionPresets()) {
-        const QString name = QString::fromStdString(preset.name);
-        ramp_->addPreset(name, QString::fromStdString(preset.help), [this, name, &preset] {
+        const QString name = coreWord(preset.name);
+        ramp_->addPreset(name, coreWord(preset.help), [this, name, &preset] {
             change(tr("Colour by position “%1”").arg(name), {}, false,
                    [&](PositionRamp& position) { position = preset.part; });
         });

@@ -7,6 +7,8 @@ namespace limner {
 
 /// The tone of a layer: key colours, saturation, and the light.
 class ToneForm : public PartFormOf<Tone> {
+    Q_OBJECT
+
   public:
     ToneForm();
     [[nodiscard]] RampEditor* ramp() const { return ramp_; }
@@ -19,6 +21,8 @@ class ToneForm : public PartFormOf<Tone> {
 
 /// The colour of a layer by position: the axis, and tints along it.
 class PositionForm : public PartFormOf<PositionRamp> {
+    Q_OBJECT
+
   public:
     PositionForm();
     [[nodiscard]] RampEditor* ramp() const { return ramp_; }

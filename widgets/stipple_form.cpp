@@ -1,10 +1,12 @@
 #include "widgets/stipple_form.h"
 
 #include "core/figure/stipple_presets.h"
+#include "widgets/core_words.h"
 #include "widgets/stipple_parts.h"
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QFormLayout>
 #include <QLabel>
 #include <QMenu>
@@ -20,6 +22,8 @@ namespace limner {
 
 /// The stipples as one part of the figure, with the parts that they have themselves among its rows.
 class StipplePart : public PartFormOf<Stipple> {
+    Q_DECLARE_TR_FUNCTIONS(limner::StipplePart)
+
   public:
     StipplePart();
     [[nodiscard]] const std::vector<PartForm*>& parts() const { return parts_; }
@@ -71,10 +75,10 @@ void StipplePart::addPresets() {
     presets = new QMenu(this);
     presets->setToolTipsVisible(true);
     for (const PartPreset<Stipple>& preset : stipplePresets()) {
-        const QString name = QString::fromStdString(preset.name);
+        const QString name = coreWord(preset.name);
         QAction* action = presets->addAction(name);
         action->setObjectName("stipple." + QString::fromStdString(preset.id));
-        action->setToolTip(QString::fromStdString(preset.help));
+        action->setToolTip(coreWord(preset.help));
         connect(action, &QAction::triggered, this, [this, name, &preset] {
             submit(tr("Stipple “%1”").arg(name), {}, false,
                    [&](Figure& changed) { changed.stipple = stippleInLook(changed.stipple, preset.part); });

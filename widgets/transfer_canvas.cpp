@@ -1,9 +1,11 @@
 #include "widgets/transfer_canvas.h"
 
 #include "core/figure/layer_edits.h"
+#include "core/figure/plane_view.h"
 #include "core/figure/transfer_edits.h"
 #include "core/style/transfer_function.h"
 #include "widgets/style_mime.h"
+#include "widgets/tissue_hints.h"
 
 #include <QContextMenuEvent>
 #include <QHelpEvent>
@@ -19,19 +21,16 @@
 namespace limner {
 namespace {
 
-constexpr double kGrab = 10; // how far from a handle a press still takes it
-constexpr double kGrabBall = 14;
-constexpr double kGrabLine = 5;
+constexpr double kGrabLine = 5; // how far from the curve a press still takes it
 
 } // namespace
 
-TransferCanvas::TransferCanvas(QWidget* parent) : QWidget(parent) {
-    setFocusPolicy(Qt::StrongFocus);
-    setMouseTracking(true);
-    setAcceptDrops(true);
+TransferCanvas::TransferCanvas(QWidget* parent) : TransferPlane(parent) {
     setAccessibleName(tr("Transfer function"));
-    setAccessibleDescription(tr("Opacity and style over the data value. Control with arrow keys goes from handle to "
-                                "handle, arrow keys move the handle, Insert adds a point, Delete removes."));
+    setAccessibleDescription(
+        tr("Opacity and style over the data value. Control with arrow keys goes from handle to "
+           "handle, arrow keys move the handle, Insert adds a point, Delete removes; plus, minus and "
+           "Home zoom."));
 }
 
 void TransferCanvas::setFigure(std::shared_ptr<const Figure> figure, std::size_t layer) {
@@ -41,12 +40,12 @@ void TransferCanvas::setFigure(std::shared_ptr<const Figure> figure, std::size_t
     const bool otherVolume = volumeOf(figure_) != volumeOf(figure);
     if (layer != layer_ || otherVolume)
         selected_.reset();
-    figure_ = std::move(figure);
-    layer_ = layer;
+    const auto axisOf = [this] { return anyTransfer() ? firstAxis(*anyTransfer()) : TransferAxis::value; };
+    const TransferAxis before = axisOf();
+    TransferPlane::setFigure(std::move(figure), layer);
     keepSelectionLegal();
-    if (otherVolume)
+    if (otherVolume || axisOf() != before)
         showAll();
-    update();
     Q_EMIT selectionChanged(); // its place may be another one
 }
 
@@ -64,38 +63,32 @@ void TransferCanvas::keepSelectionLegal() {
         selected_.reset();
 }
 
-const Transfer* TransferCanvas::transfer() const {
-    if (!figure_ || layer_ >= figure_->layers.size())
-        return nullptr;
-    const Transfer& t = figure_->layers[layer_].transfer;
-    return t.kind == TransferKind::oneDimensional ? &t : nullptr;
+void TransferCanvas::setCountScale(CountScale scale) {
+    countScale_ = scale;
+    update();
 }
 
-QString TransferCanvas::unit() const {
-    if (!figure_ || !figure_->volume || !figure_->volume->data)
-        return {};
-    return QString::fromStdString(figure_->volume->data->contents().unit);
+const Transfer* TransferCanvas::transfer() const {
+    const Transfer* t = anyTransfer();
+    return t && t->kind == TransferKind::oneDimensional ? t : nullptr;
 }
 
 void TransferCanvas::showAll() {
-    if (!figure_ || !figure_->volume || !figure_->volume->data)
+    if (!volume() || !anyTransfer())
         return;
-    const ValueRange range = figure_->volume->data->range();
-    low_ = range.low;
-    high_ = range.high;
-    if (histogram_ && !histogram_->counts.empty()) {
+    const bool values = firstAxis(*anyTransfer()) == TransferAxis::value;
+    const ValueRange range = shownRange(*figure_, *anyTransfer(), firstAxis(*anyTransfer()));
+    ValueRange shown = range;
+    if (values && histogram_ && !histogram_->counts.empty()) {
         // Padding and a few metal voxels must not squeeze the tissue into a corner.
-        low_ = std::max(low_, histogram_->percentile(0.0005));
-        high_ = std::min(high_, histogram_->percentile(0.9999));
+        shown.low = std::max(shown.low, histogram_->percentile(0.0005));
+        shown.high = std::min(shown.high, histogram_->percentile(0.9999));
     }
     if (const Transfer* t = transfer(); t && !t->opacity.empty()) {
-        low_ = std::min(low_, std::max(range.low, t->opacity.front().x));
-        high_ = std::max(high_, std::min(range.high, t->opacity.back().x));
+        shown.low = std::min(shown.low, std::max(range.low, t->opacity.front().x));
+        shown.high = std::max(shown.high, std::min(range.high, t->opacity.back().x));
     }
-    const double margin = std::max(high_ - low_, 1e-9 * std::max(1.0, std::abs(low_))) * 0.03;
-    low_ -= margin;
-    high_ += margin;
-    update();
+    showValues(shown);
 }
 
 void TransferCanvas::select(std::optional<Handle> handle) {
@@ -136,6 +129,12 @@ std::optional<std::size_t> TransferCanvas::segmentAt(QPointF position) const {
         const double length = QLineF(a, b).length();
         if (length < 1)
             continue;
+        if (t->curve != OpacityCurve::linear) {
+            const double at = yOf(curveOpacityAt(*t, valueOf(position.x())));
+            if (position.x() > a.x() && position.x() < b.x() && std::abs(position.y() - at) < kGrabLine)
+                return i;
+            continue;
+        }
         const QPointF d = (b - a) / length;
         const QPointF p = position - a;
         const double along = QPointF::dotProduct(p, d);
@@ -146,24 +145,18 @@ std::optional<std::size_t> TransferCanvas::segmentAt(QPointF position) const {
     return std::nullopt;
 }
 
-void TransferCanvas::emitTransfer(const Transfer& changed, const QString& label, const std::string& key, bool ongoing) {
-    if (!mayChange(*figure_, layer_))
-        return;
-    Edit edit{*figure_, label.toStdString(), key, ongoing};
-    edit.figure.layers[layer_].transfer = changed;
-    Q_EMIT edited(edit);
-}
-
 void TransferCanvas::mousePressEvent(QMouseEvent* event) {
-    if (!transfer() || drag_ != Drag::none)
+    if (!transfer() || drag_ != Drag::none || shifting())
         return;
     dragStart_ = event->position();
     dragTransfer_ = *transfer();
     dragMoved_ = false;
     if (event->button() == Qt::MiddleButton) {
-        drag_ = Drag::axis;
-        dragLow_ = low_;
-        dragHigh_ = high_;
+        beginShift(event->position());
+        return;
+    }
+    if (const TissueHint* hint = hintAt(event->position()); hint && event->button() == Qt::LeftButton) {
+        showValues(tissueView(*hint));
         return;
     }
     const auto handle = handleAt(event->position());
@@ -215,17 +208,14 @@ void TransferCanvas::dragTo(QPointF position, Qt::KeyboardModifiers modifiers) {
 }
 
 void TransferCanvas::mouseMoveEvent(QMouseEvent* event) {
-    switch (drag_) {
-    case Drag::none: {
-        const bool grabs = handleAt(event->position()) || segmentAt(event->position());
-        setCursor(grabs ? Qt::PointingHandCursor : Qt::ArrowCursor);
+    if (shifting()) {
+        shiftTo(event->position());
         return;
     }
-    case Drag::axis: {
-        const double by = (event->position().x() - dragStart_.x()) / plot().width() * (dragHigh_ - dragLow_);
-        low_ = dragLow_ - by;
-        high_ = dragHigh_ - by;
-        update();
+    switch (drag_) {
+    case Drag::none: {
+        const bool grabs = handleAt(event->position()) || segmentAt(event->position()) || hintAt(event->position());
+        setCursor(grabs ? Qt::PointingHandCursor : Qt::ArrowCursor);
         return;
     }
     case Drag::handle:
@@ -234,7 +224,6 @@ void TransferCanvas::mouseMoveEvent(QMouseEvent* event) {
             drag_ = Drag::none;
             return;
         }
-        constexpr double kStillAClick = 2; // pixels
         if (!dragMoved_ && QLineF(dragStart_, event->position()).length() < kStillAClick)
             return;
         dragMoved_ = true;
@@ -243,6 +232,7 @@ void TransferCanvas::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void TransferCanvas::mouseReleaseEvent(QMouseEvent*) {
+    endShift();
     const Drag was = std::exchange(drag_, Drag::none);
     if (dragMoved_ && transfer() && (was == Drag::handle || was == Drag::segment))
         emitTransfer(*transfer(), tr("Move opacity point"),
@@ -255,7 +245,7 @@ void TransferCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
         return;
     drag_ = Drag::none;
     if (!plot().contains(event->position())) {
-        if (event->position().y() > railY())
+        if (event->position().y() > railY() && !hintAt(event->position()))
             showAll();
         return;
     }
@@ -276,25 +266,14 @@ void TransferCanvas::contextMenuEvent(QContextMenuEvent* event) {
         menu.addAction(tr("Make a step here"), this, &TransferCanvas::makeStepAtSelected);
     if (selected_)
         menu.addAction(tr("Remove"), this, &TransferCanvas::removeSelected);
-    menu.addAction(tr("Show the whole range"), this, &TransferCanvas::showAll);
+    menu.addAction(tr("Fit to the data (Home)"), this, &TransferCanvas::showAll);
+    menu.addAction(tr("Show all values"), this, &TransferCanvas::showWhole);
+    if (isHounsfield()) {
+        QMenu* tissues = menu.addMenu(tr("Zoom to"));
+        for (const TissueHint& hint : tissueHints())
+            tissues->addAction(tissueWords(hint), this, [this, &hint] { showValues(tissueView(hint)); });
+    }
     menu.exec(event->globalPos());
-}
-
-void TransferCanvas::wheelEvent(QWheelEvent* event) {
-    if (!transfer())
-        return;
-    constexpr double kPerClick = 0.85;
-    const double factor = std::pow(kPerClick, event->angleDelta().y() / 120.0);
-    const double pivot = valueOf(event->position().x());
-    const double whole = figure_->volume && figure_->volume->data
-                             ? figure_->volume->data->range().high - figure_->volume->data->range().low
-                             : high_ - low_;
-    const double width = std::clamp((high_ - low_) * factor, whole * 1e-4, std::max(whole * 2, 1e-9));
-    const double applied = width / (high_ - low_);
-    low_ = pivot + (low_ - pivot) * applied;
-    high_ = low_ + width;
-    update();
-    event->accept();
 }
 
 void TransferCanvas::moveSelected(double value, std::optional<double> opacity, bool ongoing) {
@@ -318,14 +297,14 @@ void TransferCanvas::addPointAfterSelected() {
     const Transfer* t = transfer();
     if (!t)
         return;
-    glm::dvec2 point((low_ + high_) / 2, 0.5);
+    glm::dvec2 point(x_.valueOf(0.5), 0.5);
     if (selected_ && selected_->kind == HandleKind::point) {
         const glm::dvec2 here = t->opacity[selected_->index];
         const bool last = selected_->index + 1 == t->opacity.size();
-        const glm::dvec2 next = last ? glm::dvec2((here.x + high_) / 2, here.y) : t->opacity[selected_->index + 1];
+        const glm::dvec2 next = last ? glm::dvec2((here.x + x_.high()) / 2, here.y) : t->opacity[selected_->index + 1];
         point = (here + next) * 0.5;
     } else if (!t->opacity.empty()) {
-        point.y = opacityAt(t->opacity, point.x);
+        point.y = curveOpacityAt(*t, point.x);
     }
     Transfer changed = *t;
     const auto added = withPointAdded(t->opacity, point);
@@ -341,6 +320,15 @@ void TransferCanvas::makeStepAtSelected() {
     Transfer changed = *t;
     changed.opacity = withStepAt(t->opacity, selected_->index);
     emitTransfer(changed, tr("Make opacity step"), {}, false);
+}
+
+void TransferCanvas::setCurve(OpacityCurve curve) {
+    const Transfer* t = transfer();
+    if (!t || t->curve == curve)
+        return;
+    Transfer changed = *t;
+    changed.curve = curve;
+    emitTransfer(changed, tr("Change the curve's course"), {}, false);
 }
 
 void TransferCanvas::removeSelected() {
@@ -377,7 +365,7 @@ void TransferCanvas::stepSelection(int by) {
 void TransferCanvas::nudge(QKeyEvent* event) {
     const Transfer* t = transfer();
     const double amount = event->modifiers() & Qt::ShiftModifier ? 10 : 1;
-    const double step = amount * (high_ - low_) / 400; // about a pixel
+    const double step = amount * x_.width() / 400; // about a pixel
     const double rise = amount * 0.01;
     const double sideways = event->key() == Qt::Key_Left ? -step : event->key() == Qt::Key_Right ? step : 0;
     const double up = event->key() == Qt::Key_Down ? -rise : event->key() == Qt::Key_Up ? rise : 0;
@@ -408,7 +396,10 @@ void TransferCanvas::keyPressEvent(QKeyEvent* event) {
             return;
         }
         break;
-    default: break;
+    default:
+        if (transfer() && zoomKey(*event))
+            return;
+        break;
     }
     QWidget::keyPressEvent(event);
 }
@@ -456,11 +447,13 @@ bool TransferCanvas::event(QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
         const auto handle = handleAt(help->pos());
+        const TissueHint* hint = hintAt(help->pos());
         const QString text = handle ? describe(*handle)
+                             : hint ? tr("%1. A click shows it.").arg(tissueWords(*hint))
                              : transfer()
                                  ? tr("Drag points and styles. Double click adds a point, Delete or the right button "
                                       "removes. The wheel zooms, the middle button moves the ruler; a double click on "
-                                      "the ruler shows the whole range.")
+                                      "the ruler fits it to the data.")
                                  : QString();
         QToolTip::showText(help->globalPos(), text, this);
         return true;
@@ -473,7 +466,7 @@ bool TransferCanvas::event(QEvent* event) {
 }
 
 QString TransferCanvas::describe(const Handle& handle) const {
-    const double resolution = (high_ - low_) / std::max(1.0, plot().width());
+    const double resolution = x_.width() / std::max(1.0, plot().width());
     const QString end = unit().isEmpty() ? QString() : " " + unit();
     const Transfer& t = *transfer();
     if (handle.kind == HandleKind::point)

@@ -1,8 +1,6 @@
 #include "core/style/transfer_function.h"
 #include "widgets/transfer_canvas.h"
 
-#include <QFontMetricsF>
-#include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
 
@@ -12,43 +10,40 @@
 namespace limner {
 namespace {
 
-constexpr int kBall = 24;     // diameter of a style on the rail
 constexpr double kRail = 34;  // height of the rail
-constexpr double kRuler = 24; // height of the ruler
 constexpr double kLeft = 48;  // room for "100 %"
 constexpr double kRight = 14; // a handle at the end stays whole
 constexpr double kTop = 10;
 constexpr double kPointRadius = 5;
 
-/// A step of 1, 2 or 5 times a power of ten, at least `least`.
-double niceStep(double least) {
-    const double power = std::pow(10.0, std::floor(std::log10(least)));
-    for (const double factor : {1.0, 2.0, 5.0})
-        if (power * factor >= least)
-            return power * factor;
-    return power * 10;
+double heightOf(std::uint64_t count, CountScale scale) {
+    const auto voxels = static_cast<double>(count);
+    switch (scale) {
+    case CountScale::logarithmic: return std::log1p(voxels);
+    case CountScale::root: return std::sqrt(voxels);
+    case CountScale::linear: break;
+    }
+    return voxels;
+}
+
+/// What the tallest column stands for. The voxels of one value (air, padding) may be half of a scan: beside them, on a
+/// linear scale, nothing else would be seen, so the very tallest columns are cut off there.
+std::uint64_t tallest(std::vector<std::uint64_t> counts, CountScale scale) {
+    if (scale == CountScale::logarithmic)
+        return std::max<std::uint64_t>(1, *std::max_element(counts.begin(), counts.end()));
+    const auto kept = counts.end() - std::max<std::ptrdiff_t>(1, static_cast<std::ptrdiff_t>(counts.size()) / 100);
+    std::nth_element(counts.begin(), kept, counts.end());
+    return std::max<std::uint64_t>(1, *kept);
 }
 
 } // namespace
 
-QString valueText(double value, double resolution) {
-    const int decimals =
-        resolution > 0 ? std::clamp(static_cast<int>(std::ceil(-std::log10(resolution) - 1e-9)), 0, 9) : 0;
-    const double zero = std::abs(value) < 0.5 * std::pow(10.0, -decimals) ? 0.0 : value; // no "-0"
-    return QLocale().toString(zero, 'f', decimals);
-}
-
 QRectF TransferCanvas::plot() const {
-    return {kLeft, kTop, std::max(10.0, width() - kLeft - kRight), std::max(10.0, height() - kTop - kRail - kRuler)};
+    return {kLeft, kTop, std::max(10.0, width() - kLeft - kRight),
+            std::max(10.0, height() - kTop - kRail - kRuler - hintHeight())};
 }
 
 double TransferCanvas::railY() const { return plot().bottom() + kRail / 2 + 1; }
-
-double TransferCanvas::xOf(double value) const {
-    return plot().left() + (value - low_) / (high_ - low_) * plot().width();
-}
-
-double TransferCanvas::valueOf(double x) const { return low_ + (x - plot().left()) / plot().width() * (high_ - low_); }
 
 double TransferCanvas::yOf(double opacity) const { return plot().bottom() - opacity * plot().height(); }
 
@@ -77,36 +72,27 @@ void TransferCanvas::paintEvent(QPaintEvent*) {
         return;
     }
     paintHistogram(painter);
-    paintRuler(painter);
+    paintRuler(painter, plot().bottom() + kRail);
     if (!transfer()) {
-        paintNote(painter, tr("This layer's transfer function has two dimensions. It is kept as it is."));
+        paintNote(painter, tr("This layer's transfer function has two axes."));
         return;
     }
     painter.save();
     painter.setClipRect(plot().adjusted(-kPointRadius - 2, -kPointRadius - 2, kPointRadius + 2, kPointRadius + 2));
     paintCurve(painter);
     painter.restore();
+    paintOpacities(painter);
     paintRail(painter);
-    if (hasFocus()) {
-        painter.setPen(QPen(palette().color(QPalette::Highlight), 1));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawRect(plot().adjusted(-0.5, -0.5, 0.5, 0.5));
-    }
-}
-
-void TransferCanvas::paintNote(QPainter& painter, const QString& text) const {
-    painter.setPen(palette().color(QPalette::PlaceholderText));
-    painter.drawText(plot().adjusted(12, 12, -12, -12), Qt::AlignCenter | Qt::TextWordWrap, text);
+    paintMark(painter, railY());
+    paintFocus(painter);
 }
 
 void TransferCanvas::paintHistogram(QPainter& painter) const {
-    if (!histogram_ || histogram_->counts.empty())
+    if (!histogram_ || histogram_->counts.empty() || firstAxis(*anyTransfer()) != TransferAxis::value)
         return;
     const auto& counts = histogram_->counts;
-    std::uint64_t most = 1;
-    for (const std::uint64_t count : counts)
-        most = std::max(most, count);
-    const double scale = plot().height() * 0.92 / std::log1p(static_cast<double>(most));
+    constexpr double kRoom = 0.92; // of the plot
+    const double scale = plot().height() * kRoom / heightOf(tallest(counts, countScale_), countScale_);
     const double bins = static_cast<double>(counts.size());
     const ValueRange range = histogram_->range;
     const double perValue = bins / std::max(range.high - range.low, 1e-300);
@@ -118,7 +104,8 @@ void TransferCanvas::paintHistogram(QPainter& painter) const {
         std::uint64_t highest = 0; // of the bins under this pixel
         for (double bin = std::floor(std::max(from, 0.0)); bin <= std::min(to, bins - 1); ++bin)
             highest = std::max(highest, counts[static_cast<std::size_t>(bin)]);
-        path.lineTo(plot().left() + column, plot().bottom() - scale * std::log1p(static_cast<double>(highest)));
+        const double height = std::min(plot().height(), scale * heightOf(highest, countScale_));
+        path.lineTo(plot().left() + column, plot().bottom() - height);
     }
     path.lineTo(plot().right(), plot().bottom());
     path.closeSubpath();
@@ -133,27 +120,20 @@ void TransferCanvas::paintCurve(QPainter& painter) const {
         paintNote(painter, tr("Nothing shows yet. Double click to add an opacity point."));
         return;
     }
-    // What is drawn, in the colours it is drawn in.
-    const int columns = static_cast<int>(plot().width());
-    for (int column = 0; column < columns && !t.nodes.empty(); ++column) {
-        const double value = valueOf(plot().left() + column + 0.5);
-        const double opacity = opacityAt(t.opacity, value);
-        if (opacity <= 0)
-            continue;
-        const double index = nodeIndexAt(t.nodes, value);
-        const auto first = static_cast<std::size_t>(index);
-        const std::size_t second = std::min(first + 1, t.nodes.size() - 1);
-        const QColor a = nodeColour(*figure_, t.nodes[first]);
-        const QColor b = nodeColour(*figure_, t.nodes[second]);
-        const double w = index - static_cast<double>(first);
-        const auto mixed = [w](int x, int y) { return static_cast<int>(std::lround(x * (1 - w) + y * w)); };
-        const QColor colour(mixed(a.red(), b.red()), mixed(a.green(), b.green()), mixed(a.blue(), b.blue()), 120);
-        painter.fillRect(QRectF(plot().left() + column, yOf(opacity), 1, plot().bottom() - yOf(opacity)), colour);
-    }
+    paintFilling(painter);
     QPolygonF line;
     line << QPointF(plot().left(), yOf(t.opacity.front().y));
-    for (const glm::dvec2& point : t.opacity)
+    for (std::size_t i = 0; i < t.opacity.size(); ++i) {
+        const glm::dvec2& point = t.opacity[i];
+        if (t.curve == OpacityCurve::step && i > 0)
+            line << QPointF(xOf(point.x), yOf(t.opacity[i - 1].y));
         line << QPointF(xOf(point.x), yOf(point.y));
+        if (t.curve != OpacityCurve::smooth || i + 1 == t.opacity.size())
+            continue;
+        const double end = std::min(xOf(t.opacity[i + 1].x), plot().right());
+        for (double x = std::max(plot().left(), std::floor(xOf(point.x)) + 1); x < end; ++x)
+            line << QPointF(x, yOf(curveOpacityAt(t, valueOf(x))));
+    }
     line << QPointF(plot().right(), yOf(t.opacity.back().y));
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(palette().color(QPalette::Text), 1.6));
@@ -167,6 +147,40 @@ void TransferCanvas::paintCurve(QPainter& painter) const {
     }
 }
 
+void TransferCanvas::paintFilling(QPainter& painter) const {
+    const Transfer& t = *transfer();
+    // What is drawn, in the colours it is drawn in.
+    const int columns = static_cast<int>(plot().width());
+    for (int column = 0; column < columns && !t.nodes.empty(); ++column) {
+        const double value = valueOf(plot().left() + column + 0.5);
+        const double opacity = curveOpacityAt(t, value);
+        if (opacity <= 0)
+            continue;
+        const double index = nodeIndexAt(t.nodes, value);
+        const auto first = static_cast<std::size_t>(index);
+        const std::size_t second = std::min(first + 1, t.nodes.size() - 1);
+        const QColor a = nodeColour(*figure_, t.nodes[first]);
+        const QColor b = nodeColour(*figure_, t.nodes[second]);
+        const double w = index - static_cast<double>(first);
+        const auto mixed = [w](int x, int y) { return static_cast<int>(std::lround(x * (1 - w) + y * w)); };
+        const QColor colour(mixed(a.red(), b.red()), mixed(a.green(), b.green()), mixed(a.blue(), b.blue()), 120);
+        painter.fillRect(QRectF(plot().left() + column, yOf(opacity), 1, plot().bottom() - yOf(opacity)), colour);
+    }
+}
+
+void TransferCanvas::paintOpacities(QPainter& painter) const {
+    const QColor ink = palette().color(QPalette::Text);
+    QColor faint = ink;
+    faint.setAlpha(90);
+    for (const double opacity : {0.0, 0.5, 1.0}) {
+        painter.setPen(faint);
+        painter.drawLine(QPointF(plot().left() - 4, yOf(opacity)), QPointF(plot().left(), yOf(opacity)));
+        painter.setPen(ink);
+        painter.drawText(QRectF(0, yOf(opacity) - 10, plot().left() - 6, 20), Qt::AlignRight | Qt::AlignVCenter,
+                         opacity == 1 ? tr("100 %") : QString::number(opacity * 100));
+    }
+}
+
 void TransferCanvas::paintRail(QPainter& painter) {
     const Transfer& t = *transfer();
     painter.setPen(QPen(palette().color(QPalette::Mid), 2));
@@ -175,49 +189,13 @@ void TransferCanvas::paintRail(QPainter& painter) {
     painter.setClipRect(QRectF(plot().left() - kBall, plot().bottom(), plot().width() + 2 * kBall, kRail + 4));
     for (std::size_t i = 0; i < t.nodes.size(); ++i) {
         const QPointF centre(xOf(t.nodes[i].at), railY());
-        painter.drawPixmap(QRectF(centre - QPointF(kBall / 2.0, kBall / 2.0), QSizeF(kBall, kBall)),
-                           balls_.ball(*figure_, t.nodes[i], kBall, devicePixelRatioF()),
-                           QRectF(QPointF(), QSizeF(kBall, kBall) * devicePixelRatioF()));
-        const bool chosen = selected_ == Handle{HandleKind::node, i};
-        painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(palette().color(chosen ? QPalette::Highlight : QPalette::Dark), chosen ? 2.5 : 1));
-        painter.drawEllipse(centre, kBall / 2.0 + (chosen ? 1 : 0), kBall / 2.0 + (chosen ? 1 : 0));
+        paintBall(painter, t.nodes[i], centre, selected_ == Handle{HandleKind::node, i});
     }
     painter.restore();
     if (dropValue_) {
         painter.setPen(QPen(palette().color(QPalette::Highlight), 2, Qt::DashLine));
         painter.drawLine(QPointF(xOf(*dropValue_), plot().top()), QPointF(xOf(*dropValue_), railY()));
     }
-}
-
-void TransferCanvas::paintRuler(QPainter& painter) const {
-    const QFontMetricsF metrics(painter.font());
-    const QColor ink = palette().color(QPalette::Text);
-    QColor faint = ink;
-    faint.setAlpha(90);
-    const double top = plot().bottom() + kRail;
-    painter.setPen(faint);
-    for (const double opacity : {0.0, 0.5, 1.0}) {
-        painter.drawLine(QPointF(plot().left() - 4, yOf(opacity)), QPointF(plot().left(), yOf(opacity)));
-        painter.setPen(ink);
-        painter.drawText(QRectF(0, yOf(opacity) - 10, plot().left() - 6, 20), Qt::AlignRight | Qt::AlignVCenter,
-                         opacity == 1 ? tr("100 %") : QString::number(opacity * 100));
-        painter.setPen(faint);
-    }
-    painter.drawLine(QPointF(plot().left(), top), QPointF(plot().right(), top));
-    const double room = metrics.horizontalAdvance(QStringLiteral("-00 000")) + 10;
-    const double step = niceStep((high_ - low_) * room / plot().width());
-    const double unitWidth = unit().isEmpty() ? 0 : metrics.horizontalAdvance(unit()) + 8;
-    for (double tick = std::ceil(low_ / step) * step; tick <= high_; tick += step) {
-        painter.setPen(faint);
-        painter.drawLine(QPointF(xOf(tick), top), QPointF(xOf(tick), top + 4));
-        const QString text = valueText(tick, step);
-        const double half = metrics.horizontalAdvance(text) / 2;
-        painter.setPen(ink);
-        if (xOf(tick) + half < width() - unitWidth)
-            painter.drawText(QRectF(xOf(tick) - half - 1, top + 4, 2 * half + 2, kRuler - 4), Qt::AlignCenter, text);
-    }
-    painter.drawText(QRectF(0, top + 4, width() - 4, kRuler - 4), Qt::AlignRight | Qt::AlignVCenter, unit());
 }
 
 } // namespace limner

@@ -2,7 +2,9 @@
 
 #include "core/figure/layer_edits.h"
 #include "widgets/form_parts.h"
+#include "widgets/transfer_parts.h"
 
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -19,7 +21,10 @@ TransferEditor1d::TransferEditor1d(QWidget* parent)
       opacity_(new QDoubleSpinBox),
       add_(textButton(tr("Add point"), tr("Add an opacity point after the selected one"))),
       step_(textButton(tr("Step"), tr("Let the opacity jump at the selected point instead of rising towards it"))),
-      remove_(textButton(tr("Remove"), tr("Remove the selected point or style (Delete)"))) {
+      remove_(textButton(tr("Remove"), tr("Remove the selected point or style (Delete)"))),
+      curve_(choiceBox("/layers/*/transfer/opacity_curve",
+                       {{"linear", tr("Linear")}, {"smooth", tr("Smooth")}, {"step", tr("Steps")}})),
+      counts_(new QComboBox) {
     value_->setKeyboardTracking(false);
     value_->setAccessibleName(tr("Value of the selected handle"));
     value_->setToolTip(tr("Data value of the selected handle, in the volume's unit"));
@@ -29,6 +34,19 @@ TransferEditor1d::TransferEditor1d(QWidget* parent)
     opacity_->setSuffix(tr(" %"));
     opacity_->setAccessibleName(tr("Opacity of the selected point"));
     opacity_->setToolTip(tr("Opacity of the selected point, in percent for a thickness of one voxel"));
+    counts_->addItem(tr("Logarithm"), static_cast<int>(CountScale::logarithmic));
+    counts_->addItem(tr("Square root"), static_cast<int>(CountScale::root));
+    counts_->addItem(tr("Plain counts"), static_cast<int>(CountScale::linear));
+    counts_->setAccessibleName(tr("Histogram's scale"));
+    counts_->setToolTip(tr("How the histogram's heights follow the number of voxels; the figure stays as it is"));
+    counts_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    leaveWheelToPanel(counts_);
+    layOut();
+    connectParts();
+    showSelection();
+}
+
+void TransferEditor1d::layOut() {
     auto* fields = new QHBoxLayout;
     fields->setSpacing(6);
     fields->addWidget(what_);
@@ -38,14 +56,25 @@ TransferEditor1d::TransferEditor1d(QWidget* parent)
     buttons->setSpacing(6);
     for (QToolButton* button : {add_, step_, remove_})
         buttons->addWidget(button);
-    buttons->addStretch(1);
+    buttons->addWidget(curve_, 1);
+    auto* view = new QHBoxLayout;
+    view->setSpacing(6);
+    auto* histogram = new QLabel(tr("Histogram"));
+    histogram->setBuddy(counts_);
+    histogram->setToolTip(counts_->toolTip());
+    view->addWidget(histogram);
+    view->addWidget(counts_, 1);
+    view->addWidget(zoomButtons(canvas_));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 8, 8, 8);
     layout->setSpacing(6);
     layout->addWidget(canvas_, 1);
     layout->addLayout(fields);
     layout->addLayout(buttons);
+    layout->addLayout(view);
+}
 
+void TransferEditor1d::connectParts() {
     connect(canvas_, &TransferCanvas::edited, this, &TransferEditor1d::edited);
     connect(canvas_, &TransferCanvas::selectionChanged, this, [this] {
         showSelection();
@@ -58,7 +87,10 @@ TransferEditor1d::TransferEditor1d(QWidget* parent)
     connect(add_, &QToolButton::clicked, canvas_, &TransferCanvas::addPointAfterSelected);
     connect(step_, &QToolButton::clicked, canvas_, &TransferCanvas::makeStepAtSelected);
     connect(remove_, &QToolButton::clicked, canvas_, &TransferCanvas::removeSelected);
-    showSelection();
+    connect(curve_, &QComboBox::activated, this,
+            [this](int index) { canvas_->setCurve(static_cast<OpacityCurve>(index)); }); // words in the enum's order
+    connect(counts_, &QComboBox::currentIndexChanged, this,
+            [this] { canvas_->setCountScale(static_cast<CountScale>(counts_->currentData().toInt())); });
 }
 
 void TransferEditor1d::setFigure(std::shared_ptr<const Figure> figure, std::size_t layer) {
@@ -106,6 +138,9 @@ void TransferEditor1d::showSelection() {
         value_->setValue(t->nodes[handle->index].at);
     }
     add_->setEnabled(t && !locked_);
+    curve_->setEnabled(t && !locked_);
+    if (t)
+        curve_->setCurrentIndex(static_cast<int>(t->curve));
     step_->setEnabled(point);
     remove_->setEnabled(point || (node && t->nodes.size() > 1));
 }

@@ -4,13 +4,15 @@
 
 #include <QWidget>
 
+class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
 class QToolButton;
 
 namespace limner {
 
-/// The one-dimensional transfer function editor: the canvas, and the selected handle's numbers in fields.
+/// The one-dimensional transfer function editor: the canvas, the selected handle's numbers in fields, the course of the
+/// curve, and how the histogram is shown.
 class TransferEditor1d : public QWidget {
     Q_OBJECT
 
@@ -19,6 +21,9 @@ class TransferEditor1d : public QWidget {
 
     void setFigure(std::shared_ptr<const Figure> figure, std::size_t layer);
     void setHistogram(std::shared_ptr<const Histogram> histogram) { canvas_->setHistogram(std::move(histogram)); }
+    /// How counts are shown; a choice of the view, not of the figure.
+    [[nodiscard]] QComboBox* counts() const { return counts_; }
+    [[nodiscard]] QComboBox* curve() const { return curve_; }
     void setStyleSource(StyleSource source) { canvas_->setStyleSource(std::move(source)); }
     [[nodiscard]] TransferCanvas* canvas() const { return canvas_; }
     /// The selected style node, if one is selected.
@@ -29,6 +34,8 @@ class TransferEditor1d : public QWidget {
     void selectionChanged();
 
   private:
+    void layOut();
+    void connectParts();
     void showSelection();
 
     TransferCanvas* canvas_;
@@ -38,6 +45,8 @@ class TransferEditor1d : public QWidget {
     QToolButton* add_;
     QToolButton* step_;
     QToolButton* remove_;
+    QComboBox* curve_;
+    QComboBox* counts_;
     bool locked_ = false; ///< the layer must stay as it is
 };
 

@@ -104,6 +104,11 @@ void Viewport::paintSheet(QPainter& painter, const QRectF& area) const {
 }
 
 void Viewport::paintLetters(QPainter& painter, const QRectF& area) const {
+    const auto says = [this](const AnnotationPlace& place) {
+        return place.drawn && picture_->plan->figure->annotations[place.index].kind == "orientation";
+    };
+    if (picture_ && std::any_of(picture_->annotations.begin(), picture_->annotations.end(), says))
+        return; // the figure says it itself; a second time would lie over its lettering
     const EdgeLetters shown = letters();
     constexpr double kInset = 6;
     const QRectF inside = area.adjusted(kInset, kInset, -kInset, -kInset);

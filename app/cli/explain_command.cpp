@@ -56,6 +56,7 @@ Facts explanationFacts(const Explanation& e) {
             {"features_left_out", names(e.leftOut)},
             {"reasons", reasons},
             {"fields", e.fields},
+            {"annotations", e.annotations},
             {"not_drawn", e.notDrawn},
             {"bytes", bytes},
             {"milliseconds", {{"estimated", estimated}, {"measured", measured}}},
@@ -85,6 +86,12 @@ std::string explanationText(const Explanation& e) {
     text += "Read at every sample\n ";
     for (const std::string& field : e.fields) {
         text += " " + field;
+    }
+    if (!e.annotations.empty()) {
+        text += "\nWritten over the picture";
+        for (const std::string& line : e.annotations) {
+            text += "\n  " + line;
+        }
     }
     text += "\nCost                estimated     measured   memory\n";
     const auto row = [&](const std::string& name, double estimated, double measured, std::uint64_t bytes) {

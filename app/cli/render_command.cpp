@@ -150,6 +150,7 @@ void RenderCommand::report(Console& console, const ExportFacts& facts, const std
                      {"shaded", facts.shaded},
                      {"dots", facts.dots},
                      {"strokes", facts.strokes},
+                     {"annotations", facts.annotations},
                      {"layers_embedded", facts.layersEmbedded},
                      {"non_finite_pixels", facts.notFinite},
                      {"file_bytes", fileBytes},

@@ -13,6 +13,7 @@
 #include "widgets/lens_overlay.h"
 #include "widgets/notice_bar.h"
 #include "widgets/picture_feed.h"
+#include "widgets/picture_words.h"
 #include "widgets/preset_menu.h"
 #include "widgets/progress_strip.h"
 #include "widgets/style_gallery.h"
@@ -21,10 +22,8 @@
 #include "widgets/viewport.h"
 
 #include <QDockWidget>
-#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QLocale>
 #include <QMenuBar>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -156,6 +155,7 @@ void MainWindow::buildMenus() {
     add("view", tr("&View"));
     menuBar()->addMenu(presets_);
     menuBar()->addMenu(themes_);
+    add("looks", tr("&Looks"));
     add("styles", tr("&Styles"));
     add("background", tr("Back&ground"));
     add("window", tr("&Window"));
@@ -208,9 +208,9 @@ QToolButton* MainWindow::addLookButton(QToolBar* bar, const QString& text, const
 
 void MainWindow::buildStatusBar() {
     progress_ = new ProgressStrip;
-    facts_ = new QLabel;
-    facts_->setAccessibleName(tr("What the picture is"));
-    facts_->setContentsMargins(8, 0, 8, 0);
+    facts_ = new PictureWords;
+    connect(facts_, &PictureWords::warningsWanted, this,
+            [this](const QStringList& warnings) { notices_->setNotices(warnings, NoticeBar::Kind::information); });
     statusBar()->addPermanentWidget(progress_);
     statusBar()->addPermanentWidget(facts_);
 }
@@ -379,28 +379,9 @@ void MainWindow::pictureArrived(const ScreenPicture& picture) {
         return;
     progress_->show({}, 1);
     viewport_->setPicture(picture);
-    showFacts(picture);
+    facts_->showPicture(picture);
     if (picture.facts.final)
         wantMeasures();
-}
-
-void MainWindow::showFacts(const ScreenPicture& picture) {
-    const PictureFacts& facts = picture.facts;
-    QString text = tr("%1 · %2 × %3 · %4 ms · %5 M samples · %6")
-                       .arg(QString::fromStdString(facts.backend))
-                       .arg(picture.image.width())
-                       .arg(picture.image.height())
-                       .arg(facts.renderMs, 0, 'f', 0)
-                       .arg(QLocale().toString(static_cast<double>(facts.samples) * 1e-6, 'f', 1),
-                            facts.final ? tr("final") : tr("draft"));
-    QString tip = tr("Backend, pixels, time and samples of the shown picture");
-    if (!facts.warnings.empty()) {
-        text += tr(" · %n notice(s)", nullptr, static_cast<int>(facts.warnings.size()));
-        for (const std::string& warning : facts.warnings)
-            tip += "\n• " + QString::fromStdString(warning);
-    }
-    facts_->setText(text);
-    facts_->setToolTip(tip);
 }
 
 } // namespace limner

@@ -12,7 +12,6 @@
 #include <memory>
 
 class QDockWidget;
-class QLabel;
 class QStackedWidget;
 class QToolBar;
 class QTimer;
@@ -31,6 +30,7 @@ class LayerPanel;
 class LensOverlay;
 class NoticeBar;
 class PictureFeed;
+class PictureWords;
 class PresetMenu;
 class ProgressStrip;
 class ScissorsOverlay;
@@ -126,7 +126,6 @@ class MainWindow : public QMainWindow {
     /// Shows a figure in the document's place; null: the document's own again.
     void showInstead(const std::shared_ptr<const Figure>& figure);
     void pictureArrived(const ScreenPicture& picture);
-    void showFacts(const ScreenPicture& picture);
 
     void startOpening(const QString& name, std::function<Document(Task&)> load, Opened how = Opened::fresh);
     void chooseAndOpen();
@@ -174,7 +173,7 @@ class MainWindow : public QMainWindow {
     QToolButton* themeButton_ = nullptr;
     QMenu* recent_;
     ProgressStrip* progress_;
-    QLabel* facts_;
+    PictureWords* facts_;
     QPointer<Job> openJob_, saveJob_, lookJob_, labelJob_, resourceJob_, measuresJob_;
     std::shared_ptr<const Figure> instead_;           ///< shown in the document's place: a style held over it
     std::shared_ptr<const ScreenPicture> ownPicture_; ///< final one of the document's figure, meanwhile

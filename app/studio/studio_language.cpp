@@ -1,5 +1,7 @@
 #include "app/studio/studio_language.h"
 
+#include "core/base/resources.h"
+
 #include <QApplication>
 #include <QLibraryInfo>
 #include <QLocale>
@@ -28,7 +30,7 @@ void applyStudioLanguage(QApplication& application) {
     const QLocale locale = chosen.isEmpty() ? QLocale::system() : QLocale(chosen);
     QLocale::setDefault(locale);
     auto* own = new QTranslator(&application);
-    if (own->load(locale, "limner", "_", ":/translations"))
+    if (own->load(locale, "limner", "_", QString::fromStdString((resourcesFolder() / "translations").string())))
         QApplication::installTranslator(own);
     auto* qt = new QTranslator(&application);
     if (qt->load(locale, "qtbase", "_", QLibraryInfo::path(QLibraryInfo::TranslationsPath)))

@@ -3,6 +3,7 @@
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QListWidget>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -17,7 +18,9 @@ QLabel* wrapped(const QString& text) {
 
 } // namespace
 
-WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent), recent_(new QVBoxLayout), recentBox_(new QWidget) {
+WelcomePage::WelcomePage(QWidget* parent)
+    : QWidget(parent), recent_(new QVBoxLayout), recentBox_(new QWidget), figures_(new QListWidget),
+      figuresBox_(new QWidget) {
     constexpr int kColumn = 480;
     auto* column = new QWidget;
     column->setFixedWidth(kColumn);
@@ -51,18 +54,7 @@ WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent), recent_(new QVBoxLa
     formats->setForegroundRole(QPalette::PlaceholderText);
     layout->addWidget(formats);
 
-    auto* recentLayout = new QVBoxLayout(recentBox_);
-    recentLayout->setContentsMargins(0, 12, 0, 0);
-    recentLayout->setSpacing(2);
-    auto* heading = new QLabel(tr("Recent"));
-    QFont bold = font();
-    bold.setBold(true);
-    heading->setFont(bold);
-    recentLayout->addWidget(heading);
-    recentLayout->addLayout(recent_);
-    layout->addWidget(recentBox_);
-    recentBox_->setVisible(false);
-
+    buildLists(layout);
     auto* centre = new QHBoxLayout(this);
     centre->addStretch(1);
     centre->addWidget(column, 0, Qt::AlignVCenter);
@@ -70,6 +62,41 @@ WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent), recent_(new QVBoxLa
     connect(open, &QPushButton::clicked, this, &WelcomePage::openWanted);
     connect(folder, &QPushButton::clicked, this, &WelcomePage::openFolderWanted);
     connect(sample, &QPushButton::clicked, this, &WelcomePage::sampleWanted);
+}
+
+void WelcomePage::buildLists(QVBoxLayout* column) {
+    constexpr int kFiguresHeight = 132; // six rows; more scroll
+    const auto section = [&](QWidget* box, const QString& title) {
+        auto* layout = new QVBoxLayout(box);
+        layout->setContentsMargins(0, 12, 0, 0);
+        layout->setSpacing(2);
+        auto* heading = new QLabel(title);
+        QFont bold = font();
+        bold.setBold(true);
+        heading->setFont(bold);
+        layout->addWidget(heading);
+        column->addWidget(box);
+        box->setVisible(false);
+        return layout;
+    };
+    section(recentBox_, tr("Recent"))->addLayout(recent_);
+    section(figuresBox_, tr("Sample figures"))->addWidget(figures_);
+    figures_->setFixedHeight(kFiguresHeight);
+    figures_->setFrameShape(QFrame::NoFrame);
+    figures_->setAccessibleName(tr("Sample figures"));
+    figures_->setToolTip(
+        tr("Figures that come with Limner, on the head CT of this machine; Enter or a double click opens"));
+    connect(figures_, &QListWidget::itemActivated, this,
+            [this](const QListWidgetItem* item) { Q_EMIT figureWanted(item->data(Qt::UserRole).toString()); });
+}
+
+void WelcomePage::setFigures(const std::vector<SampleFigure>& figures) {
+    figures_->clear();
+    for (const SampleFigure& figure : figures) {
+        auto* item = new QListWidgetItem(QString::fromStdString(figure.title), figures_);
+        item->setData(Qt::UserRole, QString::fromStdString(figure.id));
+    }
+    figuresBox_->setVisible(!figures.empty());
 }
 
 void WelcomePage::setRecent(const QStringList& paths) {

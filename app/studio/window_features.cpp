@@ -1,12 +1,15 @@
 #include "app/studio/main_window.h"
 
+#include "app/studio/window_annotations.h"
 #include "app/studio/window_background.h"
 #include "app/studio/window_documents.h"
 #include "app/studio/window_export.h"
 #include "app/studio/window_history.h"
+#include "app/studio/window_looks.h"
 #include "app/studio/window_recovery.h"
 #include "app/studio/window_slices.h"
 #include "app/studio/window_stipple.h"
+#include "app/studio/window_transfer.h"
 #include "app/studio/window_view.h"
 #include "app/studio/window_workspace.h"
 #include "widgets/job.h"
@@ -71,8 +74,11 @@ void MainWindow::buildFeatures() {
     const Workplace place = workplace();
     new WindowStipple(place); // the window owns them, by their parent
     new WindowBackground(place);
+    new WindowTransfer(place);
+    new WindowAnnotations(place);
     new WindowView(place);
     new WindowSlices(place);
+    new WindowLooks(place, [this] { return thumbnail(); });
     new WindowHistory(place);
     new WindowExport(place);
     new WindowDocuments(place);

@@ -14,6 +14,7 @@
 #include "widgets/job.h"
 #include "widgets/notice_bar.h"
 #include "widgets/picture_feed.h"
+#include "widgets/picture_words.h"
 #include "widgets/preset_menu.h"
 #include "widgets/progress_strip.h"
 #include "widgets/theme_menu.h"
@@ -110,6 +111,7 @@ void MainWindow::startOpening(const QString& name, std::function<Document(Task&)
         document_->open(std::move(loaded->document), loaded->histogram, how);
         transfer_->setHistogram(document_->histogram());
         notices_->setNotices(lines, NoticeBar::Kind::information);
+        facts_->setScanWords(lines);
         remember(document_->source().path);
         viewport_->setFocus();
         Q_EMIT documentOpened();

@@ -82,7 +82,7 @@ struct Bounds {
 bool isVisible(const std::vector<Layer>& layers, double value) {
     constexpr double kVisible = 0.02; // below 2 % per voxel a haze does not count as something to fit
     return std::any_of(layers.begin(), layers.end(), [value](const Layer& layer) {
-        return layer.visible && opacityAt(layer.transfer.opacity, value) * layer.opacity > kVisible;
+        return layer.visible && curveOpacityAt(layer.transfer, value) * layer.opacity > kVisible;
     });
 }
 

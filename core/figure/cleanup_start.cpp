@@ -32,7 +32,7 @@ std::optional<double> leastShown(const Figure& figure, ValueRange range) {
         for (const Layer& layer : figure.layers) {
             const Transfer& transfer = layer.transfer;
             const bool byValue = firstAxis(transfer) == TransferAxis::value && !secondAxis(transfer);
-            if (byValue && figure.draws(layer) && layer.opacity * opacityAt(transfer.opacity, value) > kFaint) {
+            if (byValue && figure.draws(layer) && layer.opacity * curveOpacityAt(transfer, value) > kFaint) {
                 return i > 0 ? std::optional(value) : std::nullopt;
             }
         }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/figure/annotation.h"
 #include "core/figure/camera.h"
 #include "core/figure/effects.h"
 #include "core/figure/layer.h"
@@ -101,15 +102,6 @@ struct Background {
     friend bool operator==(const Background&, const Background&) = default;
 };
 
-struct Annotation {
-    std::string kind = "label"; ///< label, scale-bar, orientation, title, caption, legend
-    std::string text;
-    std::optional<glm::dvec3> anchorMm;
-    std::optional<glm::dvec2> at;
-    std::optional<double> lengthMm;
-    friend bool operator==(const Annotation&, const Annotation&) = default;
-};
-
 struct Output {
     double widthMm = 180;
     double heightMm = 180;
@@ -159,6 +151,7 @@ struct Figure {
     std::optional<Stipple> stipple;
     Background background;
     std::vector<Annotation> annotations;
+    std::string annotationLayout = "columns"; ///< columns, ring, free: of labels without a place
     Output output;
     Quality quality;
     UnknownMembers unknown;

@@ -55,6 +55,13 @@ struct DistanceOrigin {
     friend bool operator==(const DistanceOrigin&, const DistanceOrigin&) = default;
 };
 
+/// How opacity goes from point to point of a curve.
+enum class OpacityCurve {
+    linear,
+    smooth, ///< without corners, never past the points: monotone cubics that are level at peaks and ends
+    step,   ///< each point's opacity holds up to the next point
+};
+
 /// Axes: "value" in the data's unit; "gradient", |gradient| over its 99.9th percentile, 0..1; "label", label number;
 /// "distance", mm; "curvature", 1/mm along the view; "second", value of the second volume; "importance".
 struct Transfer {
@@ -66,6 +73,7 @@ struct Transfer {
     /// (position, opacity) along the (first) axis, rising; two points at one position are a step. 2D: multiplies the
     /// shapes, or stands alone where there are none.
     std::vector<glm::dvec2> opacity;
+    OpacityCurve curve = OpacityCurve::linear;
     std::vector<OpacityShape> opacity2d; ///< the greatest counts
     std::optional<DistanceOrigin> distance;
     friend bool operator==(const Transfer&, const Transfer&) = default;

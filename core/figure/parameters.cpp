@@ -392,41 +392,6 @@ std::span<const Field> fieldsOf<Background>() {
 }
 
 template <>
-std::span<const Field> fieldsOf<Annotation>() {
-    using T = Annotation;
-    static const Field fields[] = {
-        field<&T::kind>("kind", {.label = "Kind",
-                                 .help = "What stands on the figure.",
-                                 .cost = kNone,
-                                 .choices = {"label", "scale-bar", "orientation", "title", "caption", "legend"}}),
-        field<&T::text>("text", {.label = "Text", .help = "What it says.", .cost = kNone, .omitDefault = true}),
-        field<&T::anchorMm>("anchor_mm", {.label = "Anchor",
-                                          .help = "The point in the patient that the leader points to.",
-                                          .cost = kNone,
-                                          .unit = "mm",
-                                          .low = -kFarMm,
-                                          .high = kFarMm,
-                                          .omitDefault = true}),
-        field<&T::at>("at", {.label = "Place",
-                             .help = "Place in figure coordinates.",
-                             .cost = kNone,
-                             .unit = "of the figure",
-                             .low = -1e3,
-                             .high = 1e3,
-                             .omitDefault = true}),
-        field<&T::lengthMm>("length_mm", {.label = "Length",
-                                          .help = "Length that the scale bar stands for.",
-                                          .cost = kNone,
-                                          .unit = "mm",
-                                          .low = 0,
-                                          .high = kFarMm,
-                                          .lowExcluded = true,
-                                          .omitDefault = true}),
-    };
-    return fields;
-}
-
-template <>
 std::span<const Field> fieldsOf<Output>() {
     using T = Output;
     // 100 m and 100,000 dpi: more than any press; the product is checked by `validateFigure`.
@@ -527,10 +492,16 @@ std::span<const Field> fieldsOf<Figure>() {
                                             .omitDefault = true}),
         field<&T::stipple>("stipple", {.label = "Stipples", .help = "Dots of ink.", .cost = kPlan}),
         field<&T::background>("background", {.label = "Background", .help = "The paper."}),
-        field<&T::annotations>("annotations", {.label = "Annotations",
-                                               .help = "Lettering, scale bar and orientation marks.",
-                                               .cost = kNone,
-                                               .atMost = 4096}),
+        field<&T::annotations>("annotations",
+                               {.label = "Annotations",
+                                .help = "Lettering, scale bar and orientation marks.",
+                                .atMost = 256}), // more no sheet holds, and laying them out would take long
+        field<&T::annotationLayout>("annotation_layout",
+                                    {.label = "Layout of labels",
+                                     .help = "Where labels without a place stand: in columns at the sides, on a ring "
+                                             "around the middle, or free beside their points.",
+                                     .choices = {"columns", "ring", "free"},
+                                     .omitDefault = true}),
         field<&T::output>("output", {.label = "Output", .help = "Size and resolution of the printed figure."}),
         field<&T::quality>("quality", {.label = "Quality", .help = "Accuracy against time."}),
         outside<&T::unknown>(kNone),

@@ -12,8 +12,8 @@ enum class ParameterType { boolean, integer, number, text, choice, vector, curve
 
 /// What changing a parameter costs, cheapest first; `diff` takes the dearest of all that changed.
 enum class ChangeCost {
-    none,      ///< titles, annotations' text, where the picture goes
-    redraw,    ///< camera, lattice, background
+    none,      ///< titles, names, where the picture goes
+    redraw,    ///< camera, lattice, background, annotations
     newTables, ///< transfer functions, styles
     newPlan,   ///< parts that come or go
     newFields, ///< clean-up, gradient choice, labels

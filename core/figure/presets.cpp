@@ -287,7 +287,7 @@ Shows whatShows(const Figure& figure, const Volume& volume) {
     for (int i = 0; i < kCurveEntries; ++i) {
         const double value = scale > 0 ? range.low + i / scale : range.low;
         for (const Layer& layer : figure.layers) {
-            if (figure.draws(layer) && layer.opacity * opacityAt(layer.transfer.opacity, value) > kFaint) {
+            if (figure.draws(layer) && layer.opacity * curveOpacityAt(layer.transfer, value) > kFaint) {
                 (*table)[static_cast<std::size_t>(i)] = 1;
             }
         }

@@ -1,5 +1,6 @@
 #include "core/figure/figure_json.h"
 #include "core/figure/quantity.h"
+#include "core/figure/validate_annotations.h"
 #include "core/figure/validate_transfer.h"
 
 #include <glm/geometric.hpp>
@@ -34,6 +35,7 @@ class Validator {
             checkStyleId(id, pointer);
         }
         checkOutput();
+        checkAnnotations(figure_, problems_);
         checkUse();
         for (const std::string& line : partsNotDrawn(figure_)) {
             const std::size_t colon = line.find(": ");
@@ -319,7 +321,6 @@ std::vector<std::string> partsNotDrawn(const Figure& figure) {
             lines.push_back(std::string(pointer) + ": " + what + " kept but not drawn by this version");
         }
     };
-    kept(!figure.annotations.empty(), "/annotations", "annotations are");
     kept(figure.quality.tolerance.has_value(), "/quality/tolerance", "the tolerance is");
     return lines;
 }

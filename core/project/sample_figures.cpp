@@ -6,6 +6,8 @@
 #include "core/project/figure_text.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <system_error>
 
 namespace limner {
 namespace {
@@ -53,6 +55,22 @@ const SampleFigure& findSampleFigure(const std::string& id) {
                     {"there is no such sample figure", id, "", "`limner figure list` shows those that are there"});
     }
     return *found;
+}
+
+fs::path findSampleScan(const SampleFigure& figure) {
+    const char* own = std::getenv("LIMNER_SAMPLES");
+    std::string folders = own != nullptr ? own : "";
+    folders += ":/usr/share/doc/invesalius-examples/examples";
+    for (std::size_t at = 0; at < folders.size();) {
+        const std::size_t end = std::min(folders.find(':', at), folders.size());
+        const fs::path file = fs::path(folders.substr(at, end - at)) / figure.scan;
+        std::error_code missing;
+        if (end > at && fs::is_regular_file(file, missing)) {
+            return file;
+        }
+        at = end + 1;
+    }
+    return {};
 }
 
 } // namespace limner

@@ -20,6 +20,10 @@ struct SampleFigure {
 /// Thread-safe.
 const std::vector<SampleFigure>& sampleFigures();
 
+/// The scan of a sample figure on this machine: in a folder of LIMNER_SAMPLES (separated by ':'), or where Debian's
+/// package invesalius-examples puts its head CT. Empty: it is not here.
+std::filesystem::path findSampleScan(const SampleFigure& figure);
+
 /// Throws Error(usage) for an unknown id.
 const SampleFigure& findSampleFigure(const std::string& id);
 

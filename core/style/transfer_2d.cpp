@@ -52,7 +52,7 @@ NodePositions nodePositions(const Transfer& transfer) {
 }
 
 double planeCurveAt(const Transfer& transfer, double first) {
-    return transfer.opacity.empty() ? 1 : opacityAt(transfer.opacity, first);
+    return transfer.opacity.empty() ? 1 : curveOpacityAt(transfer, first);
 }
 
 double opacity2dAt(const Transfer& transfer, double x, double y) {
@@ -65,7 +65,7 @@ double opacity2dAt(const Transfer& transfer, double x, double y) {
         return 0;
     }
     if (!axis) {
-        return opacityAt(transfer.opacity, *first);
+        return curveOpacityAt(transfer, *first);
     }
     const PreparedShapes shapes(transfer.opacity2d);
     return std::clamp(planeCurveAt(transfer, *first) * shapes.opacityAt(*first, *second), 0.0, 1.0);

@@ -31,6 +31,35 @@ Position positionOf(const Points& points, double s, At at) {
     return position;
 }
 
+/// Slope of the smooth curve at a point: the weighted harmonic mean of the slopes on both sides, 0 where they part in
+/// sign, where there is only one, and beside a step. It is at most three times the smaller one, whatever the distances:
+/// what keeps a cubic monotone.
+double smoothSlope(const std::vector<glm::dvec2>& points, std::size_t k) {
+    if (k == 0 || k + 1 == points.size()) {
+        return 0;
+    }
+    const glm::dvec2 before = points[k] - points[k - 1];
+    const glm::dvec2 after = points[k + 1] - points[k];
+    if (!(before.x > 0 && after.x > 0 && before.y * after.y > 0)) {
+        return 0;
+    }
+    const double weightBefore = 2 * after.x + before.x;
+    const double weightAfter = after.x + 2 * before.x;
+    return (weightBefore + weightAfter) / (weightBefore * before.x / before.y + weightAfter * after.x / after.y);
+}
+
+/// The Hermite cubic between the points around `p`.
+double smoothBetween(const std::vector<glm::dvec2>& points, const Position& p) {
+    const glm::dvec2 left = points[p.below - 1];
+    const glm::dvec2 right = points[p.below];
+    const double width = right.x - left.x;
+    const double t = p.weight;
+    const double u = 1 - t;
+    const double opacity = u * u * (1 + 2 * t) * left.y + t * t * (1 + 2 * u) * right.y +
+                           width * t * u * (u * smoothSlope(points, p.below - 1) - t * smoothSlope(points, p.below));
+    return std::clamp(opacity, std::min(left.y, right.y), std::max(left.y, right.y)); // rounding alone would pass them
+}
+
 constexpr glm::dvec3 kMidGrey{0.5};
 
 using Entry = StyleIndex::Entry;
@@ -70,7 +99,7 @@ std::vector<Entry> entriesOfGrid(const Figure& figure, const TransferGrid& grid)
 
 } // namespace
 
-double opacityAt(const std::vector<glm::dvec2>& points, double s) {
+double opacityAt(const std::vector<glm::dvec2>& points, double s, OpacityCurve curve) {
     if (points.empty()) {
         return 0;
     }
@@ -79,8 +108,16 @@ double opacityAt(const std::vector<glm::dvec2>& points, double s) {
         return points.front().y;
     }
     const double left = points[p.below - 1].y;
-    return p.below == points.size() ? left : left + p.weight * (points[p.below].y - left);
+    if (p.below == points.size() || curve == OpacityCurve::step) {
+        return left;
+    }
+    if (curve == OpacityCurve::smooth) {
+        return smoothBetween(points, p);
+    }
+    return left + p.weight * (points[p.below].y - left);
 }
+
+double curveOpacityAt(const Transfer& transfer, double s) { return opacityAt(transfer.opacity, s, transfer.curve); }
 
 double nodeIndexAt(const std::vector<TransferNode>& nodes, double s) {
     const Position p = positionOf(nodes, s, [](const TransferNode& node) { return node.at; });

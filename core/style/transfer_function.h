@@ -13,9 +13,12 @@ namespace limner {
 /// Exact evaluation of style transfer functions (spec style-transfer-functions.md 2 and 3). Double
 /// precision; what the reference backend uses and what the tables are baked from.
 
-/// Opacity of the reference length at value s: linear between points, right-continuous at a step, constant outside.
-/// No points: 0.
-double opacityAt(const std::vector<glm::dvec2>& points, double s);
+/// Opacity of the reference length at value s: right-continuous at a step, constant outside. No points: 0. Between
+/// points linear, or the last point's (step), or a monotone cubic (smooth; Fritsch and Carlson 1980, slopes by Fritsch
+/// and Butland 1984): never outside the two points' opacities, level at peaks, at both ends and beside a step.
+double opacityAt(const std::vector<glm::dvec2>& points, double s, OpacityCurve curve = OpacityCurve::linear);
+/// The same for a transfer's own curve.
+double curveOpacityAt(const Transfer& transfer, double s);
 
 /// Fractional node index of value s: i in [0, N-1]; right-continuous where two nodes share one value.
 double nodeIndexAt(const std::vector<TransferNode>& nodes, double s);

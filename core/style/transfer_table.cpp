@@ -153,7 +153,7 @@ TransferTable bakeCurve(const Layer& layer, const Volume& volume, const AxisRang
                axis == TransferAxis::value ? valueEntries(volume, range, {least, kMostEntries}) : kEntries16);
     const std::vector<double> positions = entryPositions(table, volume);
     for (std::size_t k = 0; k < positions.size(); ++k) {
-        table.opacity[k] = layerOpacity(layer, opacityAt(layer.transfer.opacity, positions[k]));
+        table.opacity[k] = layerOpacity(layer, curveOpacityAt(layer.transfer, positions[k]));
         table.index[k] = static_cast<float>(nodeIndexAt(layer.transfer.nodes, positions[k]));
     }
     table.nodesX = table.nodeStrideY = atLeastOne(layer.transfer.nodes.size());
@@ -167,7 +167,7 @@ TransferTable bakeLabels(const Layer& layer, const Volume& volume) {
     const std::vector<double> nodes = nodePositions(layer.transfer).first;
     setLabelRows(table, nodes);
     fillRows(table, nodes, [&](double label, float* entries) {
-        entries[0] = entries[1] = layerOpacity(layer, opacityAt(layer.transfer.opacity, label));
+        entries[0] = entries[1] = layerOpacity(layer, curveOpacityAt(layer.transfer, label));
     });
     table.nodesY = atLeastOne(nodes.size());
     return table;

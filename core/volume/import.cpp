@@ -1,10 +1,9 @@
 #include "core/volume/import.h"
 
 #include "core/base/error.h"
+#include "core/base/machine.h"
 #include "core/volume/import_bytes.h"
 #include "core/volume/import_parts.h"
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <exception>
@@ -19,11 +18,7 @@ namespace fs = std::filesystem;
 
 using Reader = StoredVolume (*)(Context&);
 
-std::uint64_t defaultBudget() {
-    const auto pages = static_cast<std::uint64_t>(std::max(sysconf(_SC_PHYS_PAGES), 1L));
-    const auto pageBytes = static_cast<std::uint64_t>(std::max(sysconf(_SC_PAGESIZE), 1L));
-    return pages * pageBytes / 4 * 3;
-}
+std::uint64_t defaultBudget() { return machineMemory() / 4 * 3; }
 
 bool startsAsPicture(const std::string& head) {
     return head.starts_with("\x89PNG\r\n\x1a\n") || head.starts_with(std::string("II*\0", 4)) ||

@@ -1,5 +1,6 @@
 #include "renderer/export/compact_text.h"
 #include "renderer/export/pdf_file.h"
+#include "renderer/export/pdf_fonts.h"
 #include "renderer/export/srgb_profile.h"
 #include "renderer/export/vector_page.h"
 
@@ -47,6 +48,27 @@ class PdfPathSink {
     }
     CompactText& text_;
 };
+
+/// Each glyph's code as PDF writes it. A cluster's letters go with its first glyph.
+std::vector<std::string> codesOf(const TextRun& run, PdfFonts& fonts) {
+    std::set<std::size_t> starts;
+    for (const ShapedGlyph& glyph : run.glyphs)
+        starts.insert(glyph.cluster);
+    std::set<std::size_t> shown;
+    std::vector<std::string> codes;
+    for (const ShapedGlyph& glyph : run.glyphs) {
+        std::string letters;
+        if (shown.insert(glyph.cluster).second) {
+            const auto next = starts.upper_bound(glyph.cluster);
+            const std::size_t end = next == starts.end() ? run.span.text.size() : *next;
+            letters = run.span.text.substr(glyph.cluster, end - glyph.cluster);
+        }
+        char text[16];
+        std::snprintf(text, sizeof text, "<%04X>", static_cast<unsigned>(fonts.code(*run.face, glyph.id, letters)));
+        codes.emplace_back(text);
+    }
+    return codes;
+}
 
 class PdfPage : public VectorPage {
   public:
@@ -96,16 +118,9 @@ class PdfPage : public VectorPage {
         maskPacker_->write(alphas);
     }
     void endPicture() override {
-        file_.endStream();
-        maskPacker_->finish();
-        maskPacker_.reset();
-        file_.writePacked(masks_.back(), pictureSize_ + " /ColorSpace /DeviceGray", mask_);
-        mask_ = {};
+        endPictureData();
         beginContent();
-        text_ << "q ";
-        text_.number(header_.paperMm.x, 6) << " 0 0 ";
-        text_.number(-header_.paperMm.y, 6) << " 0 ";
-        text_.number(header_.paperMm.y, 6) << " cm /P" << std::to_string(pictures_.size()) << " Do Q\n";
+        placePicture({{0, 0}, header_.paperMm}, pictures_.size());
     }
 
     /// A line of no length with round ends: a few bytes, and every reader draws a disc.
@@ -139,12 +154,58 @@ class PdfPage : public VectorPage {
         text_ << "f\n";
     }
 
+    void text(const PaperText& text) override;
+
+    void bar(const PaperBar& bar) override {
+        beginContent();
+        fillWith(bar.rgb);
+        text_.number(bar.box.lowMm.x, kPlaceDecimals) << ' ';
+        text_.number(bar.box.lowMm.y, kPlaceDecimals) << ' ';
+        text_.number(bar.box.sizeMm().x, kPlaceDecimals) << ' ';
+        text_.number(bar.box.sizeMm().y, kPlaceDecimals) << " re f\n";
+    }
+
+    void ball(const PaperBall& ball) override {
+        if (!ball.sphere) {
+            dot({glm::vec2(ball.centreMm), 0, static_cast<float>(ball.radiusMm), 1, ball.rgb});
+            return;
+        }
+        const std::vector<std::uint8_t> rgba = ballBytes(*ball.sphere);
+        beginPicture({kBallPixels, kBallPixels}, 0);
+        pictureRows(std::as_bytes(std::span(rgba)), kBallPixels);
+        endPictureData();
+        beginContent();
+        opacity(1);
+        placePicture({ball.centreMm - ball.radiusMm, ball.centreMm + ball.radiusMm}, pictures_.size());
+    }
+
     void finish() override;
 
   private:
+    void placePicture(const SheetBox& box, std::size_t number) {
+        text_ << "q ";
+        text_.number(box.sizeMm().x, 6) << " 0 0 ";
+        text_.number(-box.sizeMm().y, 6) << ' ';
+        text_.number(box.lowMm.x, 6) << ' ';
+        text_.number(box.highMm.y, 6) << " cm /P" << std::to_string(number) << " Do Q\n";
+    }
+    void endPictureData() {
+        file_.endStream();
+        maskPacker_->finish();
+        maskPacker_.reset();
+        file_.writePacked(masks_.back(), pictureSize_ + " /ColorSpace /DeviceGray", mask_);
+        mask_ = {};
+    }
+    void fillWith(const InkColour& rgb) {
+        opacity(1);
+        if (filling_ != rgb)
+            colour(rgb, "rg\n");
+        filling_ = rgb;
+    }
+    void textRun(const PaperText& text, const TextRun& run);
     void beginContent();
     void endContent();
-    [[nodiscard]] std::string resources(int profile) const;
+    [[nodiscard]] std::string resources(int profile, const std::string& fonts) const;
 
     void colour(const InkColour& rgb, const char* command) {
         for (int i = 0; i < 3; ++i)
@@ -172,6 +233,7 @@ class PdfPage : public VectorPage {
 
     PageHeader header_;
     PdfFile file_;
+    PdfFonts fonts_;
     CompactText text_;
     double unit_ = 1; ///< points
     int catalog_ = 0;
@@ -192,6 +254,43 @@ class PdfPage : public VectorPage {
     std::string mask_;
     std::unique_ptr<Deflater> maskPacker_;
 };
+
+void PdfPage::text(const PaperText& text) {
+    beginContent();
+    fillWith(text.rgb);
+    for (const TextRun& run : text.block.runs)
+        textRun(text, run);
+}
+
+/// Glyphs one after the other, moved by thousandths of an em where the font's own widths would not lead to their
+/// places; one that lies higher or lower, such as an accent, begins anew. The page's y goes down, letters go up.
+void PdfPage::textRun(const PaperText& text, const TextRun& run) {
+    const FontFace& face = *run.face;
+    const double shear = face.source().slanted ? FontFace::kShear : 0;
+    const auto codes = codesOf(run, fonts_);
+    text_ << "BT " << fonts_.name(face) << ' ';
+    text_.number(run.emMm, 4) << " Tf\n";
+    double pen = 0;
+    double height = NAN; // of the glyphs so far, in ems
+    for (std::size_t i = 0; i < run.glyphs.size(); ++i) {
+        const ShapedGlyph& glyph = run.glyphs[i];
+        if (glyph.place.y != height) {
+            text_ << (std::isnan(height) ? "1 0 " : "] TJ\n1 0 ");
+            const glm::dvec2 at = text.atMm + run.originMm + glm::dvec2(glyph.place.x, -glyph.place.y) * run.emMm;
+            text_.number(shear, 3) << " -1 ";
+            text_.number(at.x, kPlaceDecimals) << ' ';
+            text_.number(at.y, kPlaceDecimals) << " Tm [";
+            height = glyph.place.y;
+            pen = glyph.place.x;
+        }
+        const auto back = std::llround((pen - glyph.place.x) * 1000);
+        if (back != 0)
+            text_.fixed(back, 0);
+        text_ << codes[i];
+        pen += face.advance(glyph.id) - static_cast<double>(back) / 1000;
+    }
+    text_ << (std::isnan(height) ? "ET\n" : "] TJ ET\n");
+}
 
 void PdfPage::beginContent() {
     if (open_)
@@ -217,8 +316,10 @@ void PdfPage::endContent() {
     open_ = false;
 }
 
-std::string PdfPage::resources(int profile) const {
+std::string PdfPage::resources(int profile, const std::string& fonts) const {
     std::string text = "<< ";
+    if (!fonts.empty())
+        text += "/Font << " + fonts + ">> ";
     if (profile > 0)
         text += "/ColorSpace << /DefaultRGB [/ICCBased " + pdfReference(profile) + "] >> ";
     const auto list = [&](const char* kind, const char* prefix, const std::vector<int>& objects) {
@@ -251,11 +352,12 @@ void PdfPage::finish() {
         file_.streamBytes({reinterpret_cast<const char*>(profile.data()), profile.size()});
         file_.endStream();
     }
+    const std::string fonts = fonts_.write(file_);
     const glm::dvec2 size = header_.paperMm * kPointsPerMm / unit_;
     file_.write(page_, "<< /Type /Page /Parent " + pdfReference(pages_) + " /MediaBox [0 0 " + pdfNumber(size.x) + " " +
                            pdfNumber(size.y) + "] /UserUnit " + pdfNumber(unit_) +
-                           " /Group << /S /Transparency /CS /DeviceRGB >> /Resources " + resources(profileNumber) +
-                           " /Contents " + listOf(contents_) + " >>");
+                           " /Group << /S /Transparency /CS /DeviceRGB >> /Resources " +
+                           resources(profileNumber, fonts) + " /Contents " + listOf(contents_) + " >>");
     file_.write(pages_, "<< /Type /Pages /Count 1 /Kids [" + pdfReference(page_) + "] >>");
     const std::vector<int> topFirst(layers_.rbegin(), layers_.rend());
     file_.write(catalog_, "<< /Type /Catalog /Pages " + pdfReference(pages_) + " /OCProperties << /OCGs " +

@@ -66,6 +66,7 @@ class BandPipeline {
   public:
     struct Parts {
         const MarkedPicture& picture;
+        const DrawnAnnotations& annotations;
         glm::ivec2 size;
         PixelLayout layout;
         BandLayout bands;
@@ -133,8 +134,9 @@ class BandPipeline {
             const int width = std::min(parts_.bands.tileWidth, size.x - x);
             Task part(task_, doneAt(x), doneAt(x + width));
             const Tile tile{{x, band.origin.y}, {width, band.size.y}};
-            const RenderResult result = parts_.picture.render(tile, part);
+            RenderResult result = parts_.picture.render(tile, part);
             assert(result.picture.size() == tile.size);
+            layAnnotations(parts_.annotations, size, tile, result.picture);
             facts.samples += result.samples;
             facts.shaded += result.shaded;
             facts.notFinite += writePixels(result.picture, parts_.layout, {band_, size.x, {x, 0}, tile.origin});
@@ -165,6 +167,20 @@ PictureOptions pictureOptions(const Figure& figure) {
         options.backgroundPicture = figure.background.picture;
     }
     return options;
+}
+
+AnnotationPaper annotationPaper(const PictureOptions& options) {
+    if (options.transparent) {
+        return {};
+    }
+    return {glm::dvec3(options.background) * options.background.a + (1 - options.background.a)};
+}
+
+DrawnAnnotations annotationsOf(const RenderPlan& plan, const PictureOptions& options) {
+    if (!plan.figure || plan.figure->annotations.empty()) {
+        return {};
+    }
+    return drawAnnotations(*plan.figure, annotationPaper(options));
 }
 
 void checkExport(const std::filesystem::path& path, glm::ivec2 size, const PictureOptions& options) {
@@ -199,8 +215,10 @@ ExportFacts writePictureFile(const RenderPlan& plan, const Backend& backend, con
     header.bandRows = bands.rows;
     header.layout.backdrop = makeBackdrop(options, header.layout, plan.size);
 
+    const DrawnAnnotations annotations = annotationsOf(plan, options);
     ExportFacts facts;
     facts.size = plan.size;
+    facts.annotations = annotations.count();
     removeStaleParts(path);
     PendingFile file(path);
     PictureWriter writer(header, file.stream());
@@ -212,7 +230,8 @@ ExportFacts writePictureFile(const RenderPlan& plan, const Backend& backend, con
     if (options.resumable) {
         kept.emplace(path, exportKey(plan, backend, options, path.extension().string(), bands));
     }
-    BandPipeline pipeline({picture, plan.size, header.layout, bands, kept ? &*kept : nullptr}, writer, task);
+    BandPipeline pipeline({picture, annotations, plan.size, header.layout, bands, kept ? &*kept : nullptr}, writer,
+                          task);
     pipeline.run(facts, [&] { file.check(); });
     task.beginPhase("Writing");
     try {
@@ -288,7 +307,10 @@ std::vector<std::byte> encodePng(const Picture& picture, const PictureOptions& o
 
 std::vector<std::byte> renderPng(const RenderPlan& plan, const Backend& backend, const PictureOptions& options,
                                  Task& task) {
-    return encodePng(MarkedPicture(plan, backend, task).render({{0, 0}, plan.size}, task).picture, options);
+    const Tile whole{{0, 0}, plan.size};
+    Picture picture = MarkedPicture(plan, backend, task).render(whole, task).picture;
+    layAnnotations(annotationsOf(plan, options), plan.size, whole, picture);
+    return encodePng(picture, options);
 }
 
 } // namespace limner

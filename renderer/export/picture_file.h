@@ -2,6 +2,7 @@
 
 #include "core/base/task.h"
 #include "core/figure/figure.h"
+#include "renderer/annotations.h"
 #include "renderer/backend.h"
 
 #include <cstddef>
@@ -32,6 +33,13 @@ struct PictureOptions {
 /// Resolution, background and transparency as the figure has them.
 PictureOptions pictureOptions(const Figure& figure);
 
+/// The paper of a picture with these options.
+AnnotationPaper annotationPaper(const PictureOptions& options);
+
+/// The figure's annotations as such a picture has them; none where the plan has no figure. Throws
+/// Error(noResources) where there is text and the system has no font.
+DrawnAnnotations annotationsOf(const RenderPlan& plan, const PictureOptions& options);
+
 struct ExportFacts {
     glm::ivec2 size{0};
     std::uint64_t samples = 0;
@@ -39,6 +47,7 @@ struct ExportFacts {
     double seconds = 0;
     std::uint64_t dots = 0; ///< marks of ink
     std::uint64_t strokes = 0;
+    std::uint64_t annotations = 0;
     bool layersEmbedded = false; ///< as a picture inside a vector file
     std::uint64_t notFinite = 0; ///< pixels that were NaN or infinite: written as empty, and warned of
 };
@@ -53,12 +62,12 @@ std::size_t exportMemory(const std::string& ending, glm::ivec2 size, const Pictu
 /// Drops what an export that is not wanted any more has kept beside its picture (`PictureOptions::resumable`).
 void forgetUnfinished(const std::filesystem::path& picture);
 
-/// Renders the plan's whole picture tile by tile and streams it into a file whose ending picks the format (png, tif,
-/// tiff, exr, jpg, jpeg, webp), with dpi and an sRGB profile (EXR: linear, scene-referred floats); svg and pdf are
-/// drawn instead (vector_file.h). Memory stays within the budget for any size in the formats that can be written by
-/// scan line or tile. The file is written beside its final name and renamed at the end: a failure or a cancellation
-/// leaves no partial file (but see `resumable`, of which svg and pdf know nothing). Alpha is not premultiplied in PNG,
-/// TIFF and WebP, premultiplied in EXR. Throws Error.
+/// Renders the plan's whole picture tile by tile, with its annotations over it, and streams it into a file whose ending
+/// picks the format (png, tif, tiff, exr, jpg, jpeg, webp), with dpi and an sRGB profile (EXR: linear, scene-referred
+/// floats); svg and pdf are drawn instead (vector_file.h). Memory stays within the budget for any size in the formats
+/// that can be written by scan line or tile. The file is written beside its final name and renamed at the end: a
+/// failure or a cancellation leaves no partial file (but see `resumable`, of which svg and pdf know nothing). Alpha is
+/// not premultiplied in PNG, TIFF and WebP, premultiplied in EXR. Throws Error.
 ExportFacts exportPicture(const RenderPlan& plan, const Backend& backend, const std::filesystem::path& path,
                           const PictureOptions& options, Task& task);
 
@@ -69,7 +78,7 @@ std::vector<std::uint8_t> toRgba8(const Picture& picture, const PictureOptions& 
 /// A picture as the bytes of an 8-bit PNG, with dpi and profile: for thumbnails inside projects.
 std::vector<std::byte> encodePng(const Picture& picture, const PictureOptions& options);
 
-/// `toRgba8` of a plan's whole picture, as a PNG.
+/// A plan's whole picture with its annotations, as `encodePng` writes it.
 std::vector<std::byte> renderPng(const RenderPlan& plan, const Backend& backend, const PictureOptions& options,
                                  Task& task);
 

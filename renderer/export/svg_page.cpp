@@ -1,7 +1,8 @@
-#include "core/base/error.h"
+#include "core/base/units.h"
 #include "renderer/export/compact_text.h"
 #include "renderer/export/memory_stream.h"
 #include "renderer/export/picture_writer.h"
+#include "renderer/export/svg_text.h"
 #include "renderer/export/vector_page.h"
 
 #include <OpenImageIO/strutil.h>
@@ -13,27 +14,6 @@
 namespace limner {
 
 namespace {
-
-/// Text as XML holds it; control characters have no place there.
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        switch (c) {
-        case '&': out += "&amp;"; break;
-        case '<': out += "&lt;"; break;
-        case '>': out += "&gt;"; break;
-        case '"': out += "&quot;"; break;
-        default: out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-        }
-    }
-    return out;
-}
-
-std::string hexColour(const InkColour& rgb) {
-    char text[8];
-    std::snprintf(text, sizeof text, "#%02x%02x%02x", rgb.r, rgb.g, rgb.b);
-    return text;
-}
 
 /// What marks share: written once, for all of a run.
 struct Look {
@@ -88,12 +68,13 @@ class SvgPage : public VectorPage {
                  "     xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" version=\"1.1\" width=\"";
         size("mm\" height=\"", "mm\" viewBox=\"0 0 ");
         size(" ", "\">\n");
-        text_ << "<title>" << escaped(header.title) << "</title>\n<desc>" << escaped(header.description) << "</desc>\n";
+        text_ << "<title>" << escapedXml(header.title) << "</title>\n<desc>" << escapedXml(header.description)
+              << "</desc>\n";
     }
 
     void beginLayer(const std::string& name) override {
         text_ << "<g id=\"layer";
-        text_.fixed(++layers_, 0) << "\" inkscape:groupmode=\"layer\" inkscape:label=\"" << escaped(name) << "\">\n";
+        text_.fixed(++layers_, 0) << "\" inkscape:groupmode=\"layer\" inkscape:label=\"" << escapedXml(name) << "\">\n";
     }
     void endLayer() override {
         endRun();
@@ -120,17 +101,8 @@ class SvgPage : public VectorPage {
     void endPicture() override {
         writer_->finish();
         text_ << "<image width=\"";
-        size("\" height=\"", "\" preserveAspectRatio=\"none\" xlink:href=\"data:image/png;base64,");
-        constexpr std::size_t kPiece = 3 * 4096; // whole groups of three bytes: no padding between pieces
-        const std::span<const std::byte> bytes = png_->bytes();
-        for (std::size_t at = 0; at < bytes.size(); at += kPiece) {
-            const std::size_t count = std::min(kPiece, bytes.size() - at);
-            text_ << OIIO::Strutil::base64_encode(
-                OIIO::string_view(reinterpret_cast<const char*>(bytes.data()) + at, count));
-        }
-        text_ << "\"/>\n";
-        writer_.reset();
-        png_.reset();
+        size("\" height=\"", "");
+        endImage();
     }
 
     void dot(const Dot& dot) override {
@@ -172,15 +144,62 @@ class SvgPage : public VectorPage {
         end("fill-opacity", stroke.opacity);
     }
 
+    void text(const PaperText& text) override {
+        endRun();
+        writeSvgText(text_, text);
+    }
+
+    void bar(const PaperBar& bar) override {
+        endRun();
+        text_ << "<rect x=\"";
+        place(bar.box.lowMm, "\" y=\"", "\" width=\"");
+        place(bar.box.sizeMm(), "\" height=\"", "\" fill=\"");
+        text_ << hexColour(bar.rgb) << "\"/>\n";
+    }
+
+    void ball(const PaperBall& ball) override {
+        if (!ball.sphere) {
+            dot({glm::vec2(ball.centreMm), 0, static_cast<float>(ball.radiusMm), 1, ball.rgb});
+            return;
+        }
+        endRun();
+        const std::vector<std::uint8_t> rgba = ballBytes(*ball.sphere);
+        beginPicture({kBallPixels, kBallPixels}, kBallPixels / (2 * ball.radiusMm) * kMmPerInch);
+        pictureRows(std::as_bytes(std::span(rgba)), kBallPixels);
+        writer_->finish();
+        text_ << "<image x=\"";
+        place(ball.centreMm - ball.radiusMm, "\" y=\"", "\" width=\"");
+        place(glm::dvec2(2 * ball.radiusMm), "\" height=\"", "");
+        endImage();
+    }
+
     void finish() override {
         text_ << "</svg>\n";
         text_.flush();
     }
 
   private:
+    /// The packed picture as the rest of an <image> element.
+    void endImage() {
+        text_ << "\" preserveAspectRatio=\"none\" xlink:href=\"data:image/png;base64,";
+        constexpr std::size_t kPiece = 3 * 4096; // whole groups of three bytes: no padding between pieces
+        const std::span<const std::byte> bytes = png_->bytes();
+        for (std::size_t at = 0; at < bytes.size(); at += kPiece) {
+            const std::size_t count = std::min(kPiece, bytes.size() - at);
+            text_ << OIIO::Strutil::base64_encode(
+                OIIO::string_view(reinterpret_cast<const char*>(bytes.data()) + at, count));
+        }
+        text_ << "\"/>\n";
+        writer_.reset();
+        png_.reset();
+    }
     void size(const char* between, const char* after) {
         text_.number(header_.paperMm.x, 6) << between;
         text_.number(header_.paperMm.y, 6) << after;
+    }
+    void place(const glm::dvec2& at, const char* between, const char* after) {
+        text_.number(at.x, kPlaceDecimals) << between;
+        text_.number(at.y, kPlaceDecimals) << after;
     }
     void end(const char* name, float opacity) {
         if (opacity < 1) {

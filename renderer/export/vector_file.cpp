@@ -1,6 +1,7 @@
 #include "renderer/export/vector_file.h"
 
 #include "core/base/error.h"
+#include "core/style/ball_picture.h"
 #include "renderer/export/backdrop.h"
 #include "renderer/export/bands.h"
 #include "renderer/export/pixel_rows.h"
@@ -195,6 +196,30 @@ void drawLayersPicture(Drawing& drawing) {
     drawing.facts.layersEmbedded = true;
 }
 
+/// Over all else, in a layer of their own.
+void drawAnnotationLayer(Drawing& drawing) {
+    const DrawnAnnotations annotations = annotationsOf(drawing.plan, drawing.options);
+    if (annotations.empty())
+        return;
+    drawing.page.beginLayer("Annotations");
+    const Marks& lines = annotations.lines;
+    for (const MarkGroup& group : lines.groups) {
+        Drawing part{// whose facts are its own: leaders are no strokes of ink
+                     lines,        drawing.plan, drawing.backend, drawing.options,
+                     drawing.page, drawing.task, drawing.look,    {}};
+        drawDots(group, false, part);
+        drawStrokes(group, part);
+    }
+    for (const PaperBar& bar : annotations.bars)
+        drawing.page.bar(bar);
+    for (const PaperBall& ball : annotations.balls)
+        drawing.page.ball(ball);
+    for (const PaperText& text : annotations.texts)
+        drawing.page.text(text);
+    drawing.page.endLayer();
+    drawing.facts.annotations = annotations.count();
+}
+
 PageHeader headerOf(const Marks& marks, const RenderPlan& plan) {
     PageHeader header;
     header.paperMm = marks.paperMm;
@@ -220,11 +245,20 @@ void drawAll(Drawing& drawing) {
     drawMarkLayers(drawing);
     if (layers && under)
         drawLayersPicture(drawing);
+    drawAnnotationLayer(drawing);
     drawing.page.finish();
     drawing.look();
 }
 
 } // namespace
+
+std::vector<std::uint8_t> ballBytes(const LitSphere& sphere) {
+    std::vector<std::uint8_t> bytes;
+    for (const Rgba& pixel : ballPicture(sphere, kBallPixels))
+        for (const float channel : {pixel.r, pixel.g, pixel.b, pixel.a})
+            bytes.push_back(static_cast<std::uint8_t>(std::clamp(channel, 0.0F, 1.0F) * 255 + 0.5F));
+    return bytes;
+}
 
 std::optional<VectorFormat> vectorFormatOf(const std::filesystem::path& path) {
     std::string ending = path.extension().string();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/annotations.h"
 #include "renderer/marks/marks.h"
 #include "renderer/marks/stroke_outline.h"
 
@@ -7,10 +8,12 @@
 #include <glm/vec3.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace limner {
 
@@ -39,9 +42,17 @@ class VectorPage {
     virtual void line(std::span<const OutlinePoint> points, const Stroke& stroke) = 0;
     /// A line of changing width: its outline, filled.
     virtual void outline(std::span<const OutlinePoint> points, const Stroke& stroke) = 0;
+    /// Letters that stay letters: they can be searched, copied and, in SVG, edited.
+    virtual void text(const PaperText& text) = 0;
+    virtual void bar(const PaperBar& bar) = 0;
+    virtual void ball(const PaperBall& ball) = 0;
     /// Completes the file; nothing can be drawn after it.
     virtual void finish() = 0;
 };
+
+/// A style's ball as a vector file embeds it: RGBA, 8 bits, alpha not multiplied in, `kBallPixels` square.
+constexpr int kBallPixels = 128;
+std::vector<std::uint8_t> ballBytes(const LitSphere& sphere);
 
 /// For drawing programs: Inkscape's layers, real circles and strokes.
 std::unique_ptr<VectorPage> makeSvgPage(const PageHeader& header, std::FILE* stream);

@@ -1,6 +1,7 @@
 #include "renderer/interactive/render_thread.h"
 
 #include "renderer/marks/marked_picture.h"
+#include "renderer/plan/picture_warnings.h"
 
 #include <utility>
 
@@ -204,6 +205,9 @@ bool RenderThread::renderStage(const Numbered& job, const Coarseness& coarseness
     facts.shaded = result.shaded;
     facts.backend = backend_->name();
     facts.warnings = plan->notDrawn;
+    if (facts.final)
+        for (std::string& warning : pictureWarnings(*plan))
+            facts.warnings.push_back(std::move(warning));
     for (const Task* task : {planning.get(), rendering.get()})
         for (const std::string& warning : task->warnings())
             facts.warnings.push_back(warning);

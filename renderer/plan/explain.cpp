@@ -3,6 +3,7 @@
 #include "renderer/plan/plan_layer.h"
 
 #include "core/volume/cleanup.h"
+#include "renderer/annotations.h"
 #include "renderer/plan/depth_cues.h"
 #include "renderer/plan/skip_grid.h"
 #include "renderer/plan/style_atlas.h"
@@ -203,6 +204,9 @@ Explanation explainFigure(const Figure& figure, const PlanRequest& request, cons
     out.used = plan->featuresUsed;
     out.leftOut = plan->featuresLeftOut;
     out.notDrawn = plan->notDrawn;
+    if (!figure.annotations.empty()) {
+        out.annotations = describeAnnotations(*plan->figure, drawAnnotations(*plan->figure, {}));
+    }
     out.fields = fieldsOf(*plan);
     out.occupied = plan->skip ? plan->skip->occupied : 1;
     task.beginPhase("Measuring");

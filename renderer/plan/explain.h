@@ -22,8 +22,9 @@ struct PartCost {
 struct Explanation {
     std::vector<PlanFeature> used;
     std::vector<PlanFeature> leftOut;
-    std::vector<std::string> fields;   ///< read per sample: "value", "gradient", "labels"
-    std::vector<std::string> notDrawn; ///< kept but not drawn by this version
+    std::vector<std::string> fields;      ///< read per sample: "value", "gradient", "labels"
+    std::vector<std::string> annotations; ///< what is written over the picture, one line each
+    std::vector<std::string> notDrawn;    ///< kept but not drawn by this version
     std::vector<PartCost> parts;
     double planningMs = 0;      ///< the first plan as a whole, measured
     double occupied = 0;        ///< share of the blocks that rays cannot skip

@@ -366,7 +366,7 @@ SampleFacts sampleFacts(const RenderPlan& plan, const Ray& ray, const Segment& s
 }
 
 double opacityOf(const PlanLayer& layer, double value) {
-    return std::clamp(opacityAt(layer.source->transfer.opacity, value) * layer.source->opacity, 0.0, 1.0);
+    return std::clamp(curveOpacityAt(layer.source->transfer, value) * layer.source->opacity, 0.0, 1.0);
 }
 
 namespace {

@@ -13,6 +13,7 @@ LIBRARIES = (
     ("itk", r"itk\w+\.h(xx)?$|itksys/|gdcm\w+\.h$"),
     ("oiio", r"OpenImageIO/"),
     ("lcms", r"lcms2\.h$"),
+    ("fonts", r"hb(-\w+)?\.h$|freetype/|fontconfig/"),
     ("opencv", r"opencv2/"),
     ("json", r"nlohmann/"),
     ("zip", r"zip\.h$"),
@@ -48,6 +49,7 @@ RULES = {
     "renderer/cpu": (("core", "renderer"), {"glm", "hwy"}, {"tbb"}),
     "renderer/gl": (("core", "renderer"), {"glm"}, {"gl", "tbb"}),
     "renderer/export": (("core", "renderer"), {"glm"}, {"tbb", "oiio", "lcms", "qt", "zlib", "system", "files"}),
+    "renderer/text": (("core", "renderer/text"), {"glm"}, {"fonts"}),
     "renderer/distributed": (("core", "renderer"), {"glm"}, {"tbb", "mpi", "system"}),
     "widgets": (
         ("core", "widgets", "renderer/*.h", "renderer/plan/*.h", "renderer/export/*.h", "renderer/interactive/*.h"),
@@ -143,6 +145,7 @@ PLANTED = (
     Planted("renderer/cpu/a.cpp", "#include <QImage>\n", "qt may not be seen here"),
     Planted("renderer/plan/a.h", "#include <hwy/highway.h>\n", "hwy may not be seen here"),
     Planted("renderer/plan/b.cpp", '#include "widgets/viewport.h"\n', "may not include widgets/viewport.h"),
+    Planted("renderer/text/a.h", "#include <hb-ot.h>\n", "fonts may not be seen here"),
     Planted("widgets/a.cpp", "#include <gdcmReader.h>\n", "itk may not be seen here"),
     Planted("widgets/b.cpp", "#include <fstream>\n", "files may not be seen here"),
     Planted("widgets/c.cpp", "#include <QSaveFile>\n", "widgets touch no files"),

@@ -84,9 +84,11 @@ std::vector<float> draw(const Figure& figure) {
     request.size = {kPixels, kPixels};
     const auto plan = planner.plan(figure, request, task);
     const auto backend = makeCpuBackend();
-    const Picture picture = MarkedPicture(*plan, *backend, task).render({{0, 0}, request.size}, task).picture;
+    const PictureOptions options = pictureOptions(figure);
+    Picture picture = MarkedPicture(*plan, *backend, task).render({{0, 0}, request.size}, task).picture;
+    layAnnotations(annotationsOf(*plan, options), request.size, {{0, 0}, request.size}, picture);
     std::vector<float> rgb;
-    const std::vector<std::uint8_t> rgba = toRgba8(picture, pictureOptions(figure));
+    const std::vector<std::uint8_t> rgba = toRgba8(picture, options);
     for (std::size_t i = 0; i < rgba.size(); ++i) {
         if (i % 4 != 3) {
             rgb.push_back(static_cast<float>(rgba[i]) / 255.0F);

@@ -96,5 +96,40 @@ TEST(Pick, NothingOnPaperAndNothingThatIsCutAway) {
     EXPECT_NEAR(pick->pointMm.y, 33, kStepMm);
 }
 
+/// A wall at y = 10 whose right half is too faint to show, and a shown one far behind it: the hand stays on its wall.
+TEST(Pick, ATrailFollowsItsStructureWhereItDoesNotShow) {
+    Figure figure = fogFigure(1);
+    const Grid grid = figure.volume->data->grid();
+    figure.volume->data = testing::makeVolume<std::uint8_t>(grid, VoxelType::uint8, [](glm::ivec3 v) {
+        const bool wall = v.y >= 10 && v.y < 14;
+        return v.y >= 34 ? 220 : wall ? (v.x < 20 ? 200 : 90) : 0;
+    });
+    PlanRequest request;
+    request.size = {80, 60};
+    const auto plan = testing::planOf(figure, request);
+    PickTrail trail{{99, 255}, 6, std::nullopt};
+    const auto start = followMatter(*plan, {32, 30}, trail);
+    ASSERT_TRUE(start);
+    EXPECT_GE(start->value, 99);
+    const auto faint = followMatter(*plan, {48, 30}, trail);
+    ASSERT_TRUE(faint);
+    EXPECT_NEAR(faint->value, 90, 1e-9) << "the value nearest to those that show";
+    EXPECT_LT(faint->pointMm.y, 3 + 14);
+    EXPECT_GT(pickMatter(*plan, {48, 30})->pointMm.y, 3 + 30) << "what is seen there lies far behind";
+    EXPECT_EQ(trail.last->value, faint->value);
+    PickTrail fresh{{99, 255}, 6, std::nullopt};
+    EXPECT_GT(followMatter(*plan, {48, 30}, fresh)->value, 99) << "a hand that begins there means what is seen";
+    EXPECT_FALSE(followMatter(*plan, {1, 1}, fresh));
+}
+
+TEST(Pick, TheGradientIsAShareOfTheGreatest) {
+    const auto pick = pickAt(fogFigure(1), {40, 30});
+    ASSERT_TRUE(pick);
+    EXPECT_GT(pick->gradient, 0.3) << "a face";
+    EXPECT_LE(pick->gradient, 1);
+    const auto deep = pickAt(fogFigure(0.05), {40, 30});
+    EXPECT_LT(deep->gradient, 0.01) << "inside even fog";
+}
+
 } // namespace
 } // namespace limner

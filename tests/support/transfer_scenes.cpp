@@ -227,6 +227,15 @@ void addAxes(Features& features) {
     add("planeLabelFirst", true, [](Layer& layer) { makePlane(layer, "label", "gradient"); });
     add("planeWithoutValue", true, [](Layer& layer) { makePlane(layer, "gradient", "distance"); });
     add("planeLabelDistance", true, [](Layer& layer) { makePlane(layer, "distance", "label"); });
+    for (const auto& [name, curve] : {std::pair("Smooth", OpacityCurve::smooth), std::pair("Step", OpacityCurve::step)})
+        for (const char* axis : {"value", "gradient"})
+            features.push_back({"line" + std::string(name) + (*axis == 'v' ? "Value" : "Gradient"),
+                                [axis, curve = curve](Figure& figure) {
+                                    only(figure).shading = Shading::flat;
+                                    makeLine(only(figure), axis);
+                                    only(figure).transfer.curve = curve;
+                                },
+                                false});
 }
 
 void addShapes(Features& features) {

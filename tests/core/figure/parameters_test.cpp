@@ -57,7 +57,7 @@ TEST(Description, CoversEveryMember) {
     EXPECT_ALL_DESCRIBED(TransferGrid, a, b, c);
     EXPECT_ALL_DESCRIBED(OpacityShape, a, b, c, d, e, f, g);
     EXPECT_ALL_DESCRIBED(DistanceOrigin, a, b);
-    EXPECT_ALL_DESCRIBED(Transfer, a, b, c, d, e, f, g, h);
+    EXPECT_ALL_DESCRIBED(Transfer, a, b, c, d, e, f, g, h, i);
     EXPECT_ALL_DESCRIBED(Contours, a, b, c, d);
     EXPECT_ALL_DESCRIBED(Light, a, b);
     EXPECT_ALL_DESCRIBED(ColourKey, a, b);
@@ -90,10 +90,10 @@ TEST(Description, CoversEveryMember) {
     EXPECT_ALL_DESCRIBED(StippleHatching, a, b, c);
     EXPECT_ALL_DESCRIBED(Stipple, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v);
     EXPECT_ALL_DESCRIBED(Background, a, b, c, d);
-    EXPECT_ALL_DESCRIBED(Annotation, a, b, c, d, e);
+    EXPECT_ALL_DESCRIBED(Annotation, a, b, c, d, e, f, g, h, i);
     EXPECT_ALL_DESCRIBED(Output, a, b, c, d);
     EXPECT_ALL_DESCRIBED(Quality, a, b, c, d, e, f, g);
-    EXPECT_ALL_DESCRIBED(Figure, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q);
+    EXPECT_ALL_DESCRIBED(Figure, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r);
 }
 
 TEST(ParameterTable, IsInOrderAndComplete) {

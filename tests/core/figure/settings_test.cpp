@@ -135,7 +135,7 @@ TEST(Diff, TellsWhatAnEditCosts) {
     const auto cost = [&](const std::string& assignment) { return diff(figure, withSetting(figure, assignment)); };
     EXPECT_EQ(diff(figure, figure), ChangeCost::none);
     EXPECT_EQ(cost("/title=x"), ChangeCost::none);
-    EXPECT_EQ(cost("/annotations/-/text=x"), ChangeCost::none);
+    EXPECT_EQ(cost("/annotations/-/text=x"), ChangeCost::redraw);
     EXPECT_EQ(cost("/camera/direction=[1, 0, 0]"), ChangeCost::redraw);
     EXPECT_EQ(cost("/layers/0/transfer/opacity/1/1=0.5"), ChangeCost::newTables);
     EXPECT_EQ(cost("/layers/0/name=x"), ChangeCost::none);

@@ -281,9 +281,28 @@ TEST(Validate, ClipsOfLayersAreChecked) {
     EXPECT_TRUE(hasProblem(figure, "/layers/0/position/direction", true));
 }
 
+TEST(Validate, AnnotationsThatCannotShowAreSaid) {
+    Figure figure = soundFigure();
+    Annotation& label = figure.annotations.emplace_back();
+    EXPECT_TRUE(hasProblem(figure, "/annotations/0/text", false));
+    label.text = "Orbit";
+    EXPECT_FALSE(hasProblem(figure, "/annotations/0/text", false));
+    EXPECT_TRUE(hasProblem(figure, "/annotations/0/anchor_mm", false));
+    label.anchorMm = glm::dvec3(0);
+    EXPECT_FALSE(hasProblem(figure, "/annotations/0/anchor_mm", false));
+    figure.camera.heightMm = 100;
+    figure.output = {180, 90, 300, false}; // 200 mm of the patient across
+    Annotation& bar = figure.annotations.emplace_back();
+    bar.kind = "scale-bar";
+    bar.lengthMm = 200;
+    EXPECT_FALSE(hasProblem(figure, "/annotations/1/length_mm", false));
+    bar.lengthMm = 201;
+    EXPECT_TRUE(hasProblem(figure, "/annotations/1/length_mm", false));
+    EXPECT_TRUE(partsNotDrawn(figure).empty());
+}
+
 TEST(Validate, PartsThatAreNotDrawnAreSaid) {
     const std::pair<const char*, Edit> cases[] = {
-        {"/annotations", [](Figure& f) { f.annotations.emplace_back(); }},
         {"/quality/tolerance", [](Figure& f) { f.quality.tolerance = 0.01; }},
     };
     for (const auto& [pointer, edit] : cases) {

@@ -125,7 +125,7 @@ TEST_F(PlannerTest, PlainColoursInAStyleLayerAreFlatUnlessAStyleIsThere) {
 TEST_F(PlannerTest, WhatIsKeptButNotDrawnIsSaid) {
     Figure figure = headFigure();
     EXPECT_TRUE(plan(figure)->notDrawn.empty());
-    figure.annotations.emplace_back();
+    figure.quality.tolerance = 0.01;
     EXPECT_EQ(plan(figure)->notDrawn.size(), 1U);
 }
 

@@ -1,0 +1,39 @@
+#include "widgets/label_tool.h"
+
+#include "core/figure/annotation_edits.h"
+#include "renderer/pick.h"
+#include "widgets/viewport.h"
+
+#include <QMouseEvent>
+
+namespace limner {
+
+LabelTool::LabelTool(Viewport* viewport) : ToolOverlay(viewport, tr("Add label")) {}
+
+QString LabelTool::hint() const {
+    return missed_ ? tr("There is too little to see here to point at · click on the structure · Esc: leave")
+                   : tr("Click on the structure to name, then type · Esc: leave");
+}
+
+void LabelTool::mousePressEvent(QMouseEvent* event) {
+    const auto& shown = viewport().picture();
+    if (event->button() != Qt::LeftButton || !shown || figure()->annotations.size() >= kMostAnnotations) {
+        event->ignore();
+        return;
+    }
+    const auto pick = pickMatter(*shown->plan, onFigure(event->position()) * glm::dvec2(shown->plan->size));
+    missed_ = !pick;
+    update();
+    if (!pick)
+        return;
+    Edit edit{*figure(), tr("Add label").toStdString(), {}, false};
+    Annotation label = newAnnotation("label");
+    label.text = tr("Label").toStdString();
+    label.anchorMm = pick->pointMm;
+    edit.figure.annotations.push_back(label);
+    layDown();
+    Q_EMIT edited(edit);
+    Q_EMIT labelled();
+}
+
+} // namespace limner
