@@ -431,6 +431,121 @@
         <source>Version and licence</source>
         <translation>Version und Lizenz</translation>
     </message>
+    <message>
+        <source>Save a cop&amp;y…</source>
+        <translation>Kop&amp;ie speichern …</translation>
+    </message>
+    <message>
+        <source>Save the project as it is under another name, and go on with this</source>
+        <translation>Das Projekt, wie es ist, unter einem anderen Namen speichern und mit diesem weiterarbeiten</translation>
+    </message>
+    <message>
+        <source>Re&amp;vert to saved</source>
+        <translation>Auf &amp;gespeicherten Stand zurücksetzen</translation>
+    </message>
+    <message>
+        <source>The figure as it was saved last; Undo brings the changes back</source>
+        <translation>Die Abbildung, wie sie zuletzt gespeichert wurde; Rückgängig holt die Änderungen zurück</translation>
+    </message>
+    <message>
+        <source>&amp;Pack the scan into the project</source>
+        <translation>Aufnahme ins &amp;Projekt packen</translation>
+    </message>
+    <message>
+        <source>Keep the scan inside the project file, so that it can be moved and sent alone</source>
+        <translation>Die Aufnahme in der Projektdatei halten, sodass diese sich allein verschieben und versenden lässt</translation>
+    </message>
+    <message>
+        <source>&amp;Name this state…</source>
+        <translation>Diesen Stand be&amp;nennen …</translation>
+    </message>
+    <message>
+        <source>Keep the figure as it is now under a name, to come back to it</source>
+        <translation>Die jetzige Abbildung unter einem Namen behalten, um darauf zurückzukommen</translation>
+    </message>
+    <message>
+        <source>Add la&amp;bel</source>
+        <translation>&amp;Beschriftung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Click on a structure in the picture and write its name</source>
+        <translation>Auf eine Struktur im Bild klicken und ihren Namen schreiben</translation>
+    </message>
+    <message>
+        <source>&amp;Widen the opacity&apos;s range</source>
+        <translation>&amp;Deckkraftbereich erweitern</translation>
+    </message>
+    <message>
+        <source>Drag over a structure in the picture: the chosen layer comes to show its values</source>
+        <translation>Über eine Struktur im Bild ziehen: Die gewählte Ebene zeigt dann auch ihre Werte</translation>
+    </message>
+</context>
+<context>
+    <name>Axes</name>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Gradient</source>
+        <translation>Gradient</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Label</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Curvature</source>
+        <translation>Krümmung</translation>
+    </message>
+    <message>
+        <source>Second scan</source>
+        <translation>Zweite Aufnahme</translation>
+    </message>
+    <message>
+        <source>Importance</source>
+        <translation>Wichtigkeit</translation>
+    </message>
+    <message>
+        <source>This scan has no labels: open a label volume (File, Open labels) or take another axis.</source>
+        <translation>Diese Aufnahme hat keine Labels: ein Labelvolumen öffnen (Datei, Labels öffnen) oder eine andere Achse wählen.</translation>
+    </message>
+    <message>
+        <source>This figure has no second scan: give it one, or take another axis.</source>
+        <translation>Diese Abbildung hat keine zweite Aufnahme: eine angeben oder eine andere Achse wählen.</translation>
+    </message>
+    <message>
+        <source>This figure weighs nothing by importance: set a measure in the Importance panel, or take another axis.</source>
+        <translation>Diese Abbildung gewichtet nichts nach Wichtigkeit: im Bedienfeld Wichtigkeit ein Maß angeben oder eine andere Achse wählen.</translation>
+    </message>
+    <message>
+        <source>Show more of the axis (−)</source>
+        <translation>Mehr von der Achse zeigen (−)</translation>
+    </message>
+    <message>
+        <source>Show less of the axis, larger (+)</source>
+        <translation>Weniger von der Achse zeigen, größer (+)</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>Show the values that nearly all voxels have, rare ones left out (Home)</source>
+        <translation>Die Werte zeigen, die fast alle Voxel haben, seltene ausgelassen (Pos1)</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>Show all values of the scan, the rarest too</source>
+        <translation>Alle Werte der Aufnahme zeigen, auch die seltensten</translation>
+    </message>
 </context>
 <context>
     <name>CleanupWords</name>
@@ -1402,10 +1517,6 @@
         <translation>Länge der Striche auf dem Papier.</translation>
     </message>
     <message>
-        <source>Length that the scale bar stands for.</source>
-        <translation>Länge, für die der Maßstab steht.</translation>
-    </message>
-    <message>
         <source>Lenses</source>
         <translation>Linsen</translation>
     </message>
@@ -1728,10 +1839,6 @@
     <message>
         <source>Place</source>
         <translation>Ort</translation>
-    </message>
-    <message>
-        <source>Place in figure coordinates.</source>
-        <translation>Ort in Koordinaten der Abbildung.</translation>
     </message>
     <message>
         <source>Places where importance acts; none: everywhere.</source>
@@ -2366,10 +2473,6 @@
         <translation>Was im Bild oben ist; nicht entlang der Blickrichtung.</translation>
     </message>
     <message>
-        <source>What it says.</source>
-        <translation>Was darauf steht.</translation>
-    </message>
-    <message>
         <source>What makes a sample important.</source>
         <translation>Was einen Abtastpunkt wichtig macht.</translation>
     </message>
@@ -2489,6 +2592,62 @@
         <source>Wood engraving on old paper with arteries and veins overprinted in red and blue.</source>
         <translation>Holzstich auf altem Papier, Arterien und Venen in Rot und Blau überdruckt.</translation>
     </message>
+    <message>
+        <source>Colour of letters and lines; absent: black, or white on dark paper.</source>
+        <translation>Farbe der Buchstaben und Linien; ohne: schwarz, oder weiß auf dunklem Papier.</translation>
+    </message>
+    <message>
+        <source>Course of the curve</source>
+        <translation>Verlauf der Kurve</translation>
+    </message>
+    <message>
+        <source>Family of the letters, as the system knows it; empty: DejaVu Sans.</source>
+        <translation>Familie der Buchstaben, wie das System sie kennt; leer: DejaVu Sans.</translation>
+    </message>
+    <message>
+        <source>Font</source>
+        <translation>Schriftart</translation>
+    </message>
+    <message>
+        <source>How opacity goes from point to point of the curve.</source>
+        <translation>Wie die Deckkraft von Punkt zu Punkt der Kurve verläuft.</translation>
+    </message>
+    <message>
+        <source>Layout of labels</source>
+        <translation>Anordnung der Beschriftungen</translation>
+    </message>
+    <message>
+        <source>Length in the patient that the scale bar stands for.</source>
+        <translation>Länge im Patienten, für die der Maßstab steht.</translation>
+    </message>
+    <message>
+        <source>Letters</source>
+        <translation>Buchstaben</translation>
+    </message>
+    <message>
+        <source>Place in figure coordinates; absent: found automatically.</source>
+        <translation>Ort in Koordinaten der Abbildung; ohne: wird automatisch gefunden.</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Size of the letters on paper; absent: what is usual for the kind.</source>
+        <translation>Größe der Buchstaben auf dem Papier; ohne: was für die Art üblich ist.</translation>
+    </message>
+    <message>
+        <source>The column that a label stands in while it is laid out automatically.</source>
+        <translation>Die Spalte, in der eine Beschriftung steht, solange sie automatisch angeordnet wird.</translation>
+    </message>
+    <message>
+        <source>What it says; &lt;b&gt;, &lt;i&gt;, &lt;sub&gt; and &lt;sup&gt; mark parts of it.</source>
+        <translation>Was darauf steht; &lt;b&gt;, &lt;i&gt;, &lt;sub&gt; und &lt;sup&gt; zeichnen Teile davon aus.</translation>
+    </message>
+    <message>
+        <source>Where labels without a place stand: in columns at the sides, on a ring around the middle, or free beside their points.</source>
+        <translation>Wo Beschriftungen ohne Platz stehen: in Spalten an den Seiten, auf einem Ring um die Mitte oder frei neben ihren Punkten.</translation>
+    </message>
 </context>
 <context>
     <name>ExtractionWords</name>
@@ -2574,6 +2733,13 @@
     </message>
 </context>
 <context>
+    <name>QObject</name>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+</context>
+<context>
     <name>Sentences</name>
     <message>
         <source>small</source>
@@ -2589,10 +2755,327 @@
     </message>
 </context>
 <context>
+    <name>Tissues</name>
+    <message>
+        <source>Air</source>
+        <translation>Luft</translation>
+    </message>
+    <message>
+        <source>Lung</source>
+        <translation>Lunge</translation>
+    </message>
+    <message>
+        <source>Fat</source>
+        <translation>Fett</translation>
+    </message>
+    <message>
+        <source>Water</source>
+        <translation>Wasser</translation>
+    </message>
+    <message>
+        <source>Muscle</source>
+        <translation>Muskel</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>Metal</source>
+        <translation>Metall</translation>
+    </message>
+    <message>
+        <source>%1: above %2 HU</source>
+        <translation>%1: über %2 HU</translation>
+    </message>
+    <message>
+        <source>%1: about %2 HU</source>
+        <translation>%1: etwa %2 HU</translation>
+    </message>
+    <message>
+        <source>%1: %2 to %3 HU</source>
+        <translation>%1: %2 bis %3 HU</translation>
+    </message>
+</context>
+<context>
     <name>limner::Actions</name>
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>limner::AnnotationForm</name>
+    <message>
+        <source>Label</source>
+        <translation>Beschriftung</translation>
+    </message>
+    <message>
+        <source>Scale bar</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>Orientation mark</source>
+        <translation>Orientierungsmarke</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Caption</source>
+        <translation>Bildunterschrift</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>Legende</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Columns at the sides</source>
+        <translation>Spalten an den Seiten</translation>
+    </message>
+    <message>
+        <source>Ring around the figure</source>
+        <translation>Ring um die Abbildung</translation>
+    </message>
+    <message>
+        <source>Free, beside their points</source>
+        <translation>Frei, neben ihren Punkten</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>&amp;Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a label, a scale bar, a title and the like</source>
+        <translation>Eine Beschriftung, einen Maßstab, einen Titel und Ähnliches hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the chosen one (Delete)</source>
+        <translation>Das Gewählte entfernen (Entf)</translation>
+    </message>
+    <message>
+        <source>Colour of the letters</source>
+        <translation>Farbe der Buchstaben</translation>
+    </message>
+    <message>
+        <source>Own &amp;colour</source>
+        <translation>Eigene &amp;Farbe</translation>
+    </message>
+    <message>
+        <source>Whichever is nearer</source>
+        <translation>Die nähere</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Placed &amp;automatically</source>
+        <translation>&amp;Automatisch platziert</translation>
+    </message>
+    <message>
+        <source>La&amp;bels stand</source>
+        <translation>&amp;Beschriftungen stehen</translation>
+    </message>
+    <message>
+        <source>Annotations</source>
+        <translation>Beschriftungen</translation>
+    </message>
+    <message>
+        <source>What is written over the figure; drag it in the picture to place it</source>
+        <translation>Was über die Abbildung geschrieben ist; zum Platzieren im Bild ziehen</translation>
+    </message>
+    <message>
+        <source>Layout of labels</source>
+        <translation>Anordnung der Beschriftungen</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>F</translation>
+    </message>
+    <message>
+        <source>Bold</source>
+        <translation>Fett</translation>
+    </message>
+    <message>
+        <source>I</source>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>Italic</source>
+        <translation>Kursiv</translation>
+    </message>
+    <message>
+        <source>x₂</source>
+        <translation>x₂</translation>
+    </message>
+    <message>
+        <source>Subscript</source>
+        <translation>Tiefgestellt</translation>
+    </message>
+    <message>
+        <source>x²</source>
+        <translation>x²</translation>
+    </message>
+    <message>
+        <source>Superscript</source>
+        <translation>Hochgestellt</translation>
+    </message>
+    <message>
+        <source>Ω</source>
+        <translation>Ω</translation>
+    </message>
+    <message>
+        <source>Greek letters and signs</source>
+        <translation>Griechische Buchstaben und Zeichen</translation>
+    </message>
+    <message>
+        <source>Capitals</source>
+        <translation>Großbuchstaben</translation>
+    </message>
+    <message>
+        <source>Signs</source>
+        <translation>Zeichen</translation>
+    </message>
+    <message>
+        <source>Words</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source> pt</source>
+        <translation> pt</translation>
+    </message>
+    <message>
+        <source>Usual</source>
+        <translation>Üblich</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Round</source>
+        <translation>Rund</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Length in the patient; in a perspective it is true in the plane of the camera&apos;s target</source>
+        <translation>Länge im Patienten; in der Perspektive stimmt sie in der Ebene des Zielpunkts der Kamera</translation>
+    </message>
+    <message>
+        <source>Place from the left edge, in percent of the sheet&apos;s width</source>
+        <translation>Lage vom linken Rand, in Prozent der Blattbreite</translation>
+    </message>
+    <message>
+        <source>Place from the top, in percent of the sheet&apos;s height</source>
+        <translation>Lage von oben, in Prozent der Blatthöhe</translation>
+    </message>
+    <message>
+        <source>Off where you have dragged it; on gives the place back to the layout</source>
+        <translation>Aus, wo von Hand platziert; an gibt den Platz an die Anordnung zurück</translation>
+    </message>
+    <message>
+        <source>Off: black, or white on dark paper</source>
+        <translation>Aus: schwarz, oder weiß auf dunklem Papier</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>G&amp;röße</translation>
+    </message>
+    <message>
+        <source>&amp;Length</source>
+        <translation>&amp;Länge</translation>
+    </message>
+    <message>
+        <source>&amp;Side</source>
+        <translation>&amp;Seite</translation>
+    </message>
+    <message>
+        <source>From the le&amp;ft</source>
+        <translation>Von lin&amp;ks</translation>
+    </message>
+    <message>
+        <source>From the &amp;top</source>
+        <translation>Von &amp;oben</translation>
+    </message>
+    <message>
+        <source>Write %1</source>
+        <translation>%1 schreiben</translation>
+    </message>
+    <message>
+        <source>Size of letters</source>
+        <translation>Größe der Buchstaben</translation>
+    </message>
+    <message>
+        <source>Length of scale bar</source>
+        <translation>Länge des Maßstabs</translation>
+    </message>
+    <message>
+        <source>Side of label</source>
+        <translation>Seite der Beschriftung</translation>
+    </message>
+    <message>
+        <source>Colour of letters</source>
+        <translation>Farbe der Buchstaben</translation>
+    </message>
+    <message>
+        <source>Place automatically</source>
+        <translation>Automatisch platzieren</translation>
+    </message>
+    <message>
+        <source>Keep place</source>
+        <translation>Platz behalten</translation>
+    </message>
+    <message>
+        <source>Move lettering</source>
+        <translation>Schrift verschieben</translation>
+    </message>
+    <message>
+        <source>The figure&apos;s title</source>
+        <translation>Der Titel der Abbildung</translation>
+    </message>
+    <message>
+        <source>Its length</source>
+        <translation>Seine Länge</translation>
+    </message>
+    <message>
+        <source>Heading, or none</source>
+        <translation>Überschrift, oder keine</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>%1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>limner::AnnotationOverlay</name>
+    <message>
+        <source>Move lettering</source>
+        <translation>Schrift verschieben</translation>
+    </message>
+    <message>
+        <source>Move label&apos;s point</source>
+        <translation>Punkt der Beschriftung verschieben</translation>
     </message>
 </context>
 <context>
@@ -3331,14 +3814,6 @@
         <translation>Mehr Strahlen glätten Kanten und brauchen entsprechend mehr Zeit</translation>
     </message>
     <message>
-        <source>&amp;Width</source>
-        <translation>Br&amp;eite</translation>
-    </message>
-    <message>
-        <source>&amp;Height</source>
-        <translation>&amp;Höhe</translation>
-    </message>
-    <message>
         <source>&amp;Resolution</source>
         <translation>&amp;Auflösung</translation>
     </message>
@@ -3349,10 +3824,6 @@
     <message>
         <source>&amp;Depth</source>
         <translation>&amp;Farbtiefe</translation>
-    </message>
-    <message>
-        <source>&amp;Smoothing</source>
-        <translation>&amp;Glättung</translation>
     </message>
     <message>
         <source>Export…</source>
@@ -3377,6 +3848,109 @@
     <message>
         <source>; %1 to draw</source>
         <translation>; %1 zum Zeichnen</translation>
+    </message>
+    <message>
+        <source>As in the figure</source>
+        <translation>Wie in der Abbildung</translation>
+    </message>
+    <message>
+        <source>Journal, one column (85 mm)</source>
+        <translation>Zeitschrift, eine Spalte (85 mm)</translation>
+    </message>
+    <message>
+        <source>Journal, one and a half columns (120 mm)</source>
+        <translation>Zeitschrift, anderthalb Spalten (120 mm)</translation>
+    </message>
+    <message>
+        <source>Journal, page width (180 mm)</source>
+        <translation>Zeitschrift, Seitenbreite (180 mm)</translation>
+    </message>
+    <message>
+        <source>A4 (210 × 297 mm)</source>
+        <translation>A4 (210 × 297 mm)</translation>
+    </message>
+    <message>
+        <source>A3 (297 × 420 mm)</source>
+        <translation>A3 (297 × 420 mm)</translation>
+    </message>
+    <message>
+        <source>A2 (420 × 594 mm)</source>
+        <translation>A2 (420 × 594 mm)</translation>
+    </message>
+    <message>
+        <source>A1 (594 × 841 mm)</source>
+        <translation>A1 (594 × 841 mm)</translation>
+    </message>
+    <message>
+        <source>A0, poster (841 × 1189 mm)</source>
+        <translation>A0, Poster (841 × 1189 mm)</translation>
+    </message>
+    <message>
+        <source>Screen (1920 × 1080 pixels)</source>
+        <translation>Bildschirm (1920 × 1080 Pixel)</translation>
+    </message>
+    <message>
+        <source>Square (1080 × 1080 pixels)</source>
+        <translation>Quadrat (1080 × 1080 Pixel)</translation>
+    </message>
+    <message>
+        <source>Other</source>
+        <translation>Andere</translation>
+    </message>
+    <message>
+        <source>Usual sizes; sheets lie or stand as the figure does</source>
+        <translation>Übliche Größen; Bögen liegen oder stehen wie die Abbildung</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation>Pixel</translation>
+    </message>
+    <message>
+        <source>Unit of width and height</source>
+        <translation>Einheit von Breite und Höhe</translation>
+    </message>
+    <message>
+        <source>&amp;Size</source>
+        <translation>G&amp;röße</translation>
+    </message>
+    <message>
+        <source>&amp;Width × height</source>
+        <translation>Breite × &amp;Höhe</translation>
+    </message>
+    <message>
+        <source>S&amp;moothing</source>
+        <translation>&amp;Glättung</translation>
+    </message>
+    <message>
+        <source>Choose the file; it is written while you go on working</source>
+        <translation>Die Datei wählen; sie wird geschrieben, während die Arbeit weitergeht</translation>
+    </message>
+    <message>
+        <source>What that takes</source>
+        <translation>Was das kostet</translation>
+    </message>
+    <message>
+        <source>&lt;br&gt;%1 of memory beside the scan</source>
+        <translation>&lt;br&gt;%1 Speicher neben der Aufnahme</translation>
+    </message>
+</context>
+<context>
+    <name>limner::ExportQueue</name>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 Pixel</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>%1 wird exportiert</translation>
     </message>
 </context>
 <context>
@@ -3850,6 +4424,53 @@
     </message>
 </context>
 <context>
+    <name>limner::HistoryList</name>
+    <message>
+        <source>Name this state…</source>
+        <translation>Diesen Stand benennen …</translation>
+    </message>
+    <message>
+        <source>Keep the figure as it is now under a name, until the program ends</source>
+        <translation>Die jetzige Abbildung unter einem Namen behalten, bis das Programm endet</translation>
+    </message>
+    <message>
+        <source>Forget</source>
+        <translation>Vergessen</translation>
+    </message>
+    <message>
+        <source>Take the chosen name away; the figure stays as it is</source>
+        <translation>Den gewählten Namen wegnehmen; die Abbildung bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Click on a step to go there, forth and back; no step is lost until something is changed</source>
+        <translation>Auf einen Schritt klicken, um vor oder zurück dorthin zu gehen; kein Schritt geht verloren, bis etwas geändert wird</translation>
+    </message>
+    <message>
+        <source>Named states</source>
+        <translation>Benannte Stände</translation>
+    </message>
+    <message>
+        <source>Click on a name to go there, as a change that can be undone; F2 renames it</source>
+        <translation>Auf einen Namen klicken, um dorthin zu gehen, als Änderung, die sich rückgängig machen lässt; F2 benennt ihn um</translation>
+    </message>
+    <message>
+        <source>As it was opened</source>
+        <translation>Wie geöffnet</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Änderung</translation>
+    </message>
+    <message>
+        <source>the current state</source>
+        <translation>der jetzige Stand</translation>
+    </message>
+</context>
+<context>
     <name>limner::ImportanceForm</name>
     <message>
         <source>Let what matters &amp;show through</source>
@@ -3966,6 +4587,25 @@ Label %2, %3 Voxel</translation>
     <message>
         <source>Hide labels</source>
         <translation>Labels verbergen</translation>
+    </message>
+</context>
+<context>
+    <name>limner::LabelTool</name>
+    <message>
+        <source>Add label</source>
+        <translation>Beschriftung hinzufügen</translation>
+    </message>
+    <message>
+        <source>There is too little to see here to point at · click on the structure · Esc: leave</source>
+        <translation>Hier ist zu wenig zu sehen, um darauf zu zeigen · auf die Struktur klicken · Esc: verlassen</translation>
+    </message>
+    <message>
+        <source>Click on the structure to name, then type · Esc: leave</source>
+        <translation>Auf die zu benennende Struktur klicken, dann tippen · Esc: verlassen</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Beschriftung</translation>
     </message>
 </context>
 <context>
@@ -4468,10 +5108,6 @@ Label %2, %3 Voxel</translation>
         <translation>Alle Stile und das Papier austauschen</translation>
     </message>
     <message>
-        <source>What the picture is</source>
-        <translation>Was das Bild ist</translation>
-    </message>
-    <message>
         <source>%1 “%2”</source>
         <translation>%1 „%2“</translation>
     </message>
@@ -4490,29 +5126,6 @@ Label %2, %3 Voxel</translation>
     <message>
         <source>%1[*] – %2</source>
         <translation>%1[*] – %2</translation>
-    </message>
-    <message>
-        <source>%1 · %2 × %3 · %4 ms · %5 M samples · %6</source>
-        <translation>%1 · %2 × %3 · %4 ms · %5 Mio. Abtastpunkte · %6</translation>
-    </message>
-    <message>
-        <source>final</source>
-        <translation>endgültig</translation>
-    </message>
-    <message>
-        <source>draft</source>
-        <translation>Entwurf</translation>
-    </message>
-    <message>
-        <source>Backend, pixels, time and samples of the shown picture</source>
-        <translation>Backend, Pixel, Zeit und Abtastpunkte des gezeigten Bildes</translation>
-    </message>
-    <message numerus="yes">
-        <source> · %n notice(s)</source>
-        <translation>
-            <numerusform> · %n Hinweis</numerusform>
-            <numerusform> · %n Hinweise</numerusform>
-        </translation>
     </message>
     <message>
         <source>Clean-up</source>
@@ -4571,26 +5184,6 @@ Label %2, %3 Voxel</translation>
         <translation>%1 gespeichert</translation>
     </message>
     <message>
-        <source>Export picture</source>
-        <translation>Bild exportieren</translation>
-    </message>
-    <message>
-        <source>%1 picture (*.%2)</source>
-        <translation>%1-Bild (*.%2)</translation>
-    </message>
-    <message>
-        <source>Change output size</source>
-        <translation>Ausgabegröße ändern</translation>
-    </message>
-    <message>
-        <source>Exporting %1</source>
-        <translation>%1 wird exportiert</translation>
-    </message>
-    <message>
-        <source>Exported %1</source>
-        <translation>%1 exportiert</translation>
-    </message>
-    <message>
         <source>Preset %1</source>
         <translation>Vorlage %1</translation>
     </message>
@@ -4630,6 +5223,14 @@ Label %2, %3 Voxel</translation>
         <source>Small pictures</source>
         <translation>Kleine Bilder</translation>
     </message>
+    <message>
+        <source>%1 (open elsewhere)</source>
+        <translation>%1 (anderswo geöffnet)</translation>
+    </message>
+    <message>
+        <source>Opening a sample figure</source>
+        <translation>Beispielabbildung wird geöffnet</translation>
+    </message>
 </context>
 <context>
     <name>limner::MeasureOverlay</name>
@@ -4664,6 +5265,45 @@ Label %2, %3 Voxel</translation>
     <message>
         <source>%1°</source>
         <translation>%1°</translation>
+    </message>
+</context>
+<context>
+    <name>limner::MissingBar</name>
+    <message>
+        <source>Missing file</source>
+        <translation>Fehlende Datei</translation>
+    </message>
+    <message>
+        <source>Find…</source>
+        <translation>Suchen …</translation>
+    </message>
+    <message>
+        <source>Show where the file is now</source>
+        <translation>Zeigen, wo die Datei jetzt ist</translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation>Nicht jetzt</translation>
+    </message>
+    <message>
+        <source>Hide this; the project stays as it is and looks for the file when it is opened again</source>
+        <translation>Dies verbergen; das Projekt bleibt, wie es ist, und sucht die Datei beim nächsten Öffnen wieder</translation>
+    </message>
+    <message>
+        <source>Stop searching</source>
+        <translation>Suche anhalten</translation>
+    </message>
+    <message>
+        <source>Search again</source>
+        <translation>Erneut suchen</translation>
+    </message>
+    <message>
+        <source>Stop looking for the file</source>
+        <translation>Nicht weiter nach der Datei suchen</translation>
+    </message>
+    <message>
+        <source>Look beside the project, above it and in the folders of recent files</source>
+        <translation>Neben dem Projekt, darüber und in den Ordnern zuletzt geöffneter Dateien nachsehen</translation>
     </message>
 </context>
 <context>
@@ -4764,6 +5404,81 @@ Label %2, %3 Voxel</translation>
     <message>
         <source>Drag around a shaded form, along its edge</source>
         <translation>Um eine schattierte Form ziehen, entlang ihrer Kante</translation>
+    </message>
+</context>
+<context>
+    <name>limner::OutputList</name>
+    <message>
+        <source>waits</source>
+        <translation>wartet</translation>
+    </message>
+    <message>
+        <source>begins</source>
+        <translation>beginnt</translation>
+    </message>
+    <message>
+        <source>%1, %2 %</source>
+        <translation>%1, %2 %</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>fertig</translation>
+    </message>
+    <message>
+        <source>failed: %1</source>
+        <translation>fehlgeschlagen: %1</translation>
+    </message>
+    <message>
+        <source>stopped; “Go on” continues where it was</source>
+        <translation>angehalten; „Fortsetzen“ macht dort weiter</translation>
+    </message>
+    <message>
+        <source>No picture has been exported yet. “Export” writes one while you go on working; several wait for each other here.</source>
+        <translation>Noch wurde kein Bild exportiert. „Exportieren“ schreibt eines, während die Arbeit weitergeht; mehrere warten hier aufeinander.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Stop this; what is drawn already is kept for going on</source>
+        <translation>Dies anhalten; was schon gezeichnet ist, bleibt zum Fortsetzen erhalten</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Fortsetzen</translation>
+    </message>
+    <message>
+        <source>Write this picture again, from where it stopped</source>
+        <translation>Dieses Bild noch einmal schreiben, ab der Stelle, an der es anhielt</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Open the picture in the program that your desktop has for it</source>
+        <translation>Das Bild in dem Programm öffnen, das die Arbeitsumgebung dafür hat</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>Open the folder that the picture is in</source>
+        <translation>Den Ordner öffnen, in dem das Bild liegt</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Take this off the list; a finished picture stays where it is</source>
+        <translation>Dies von der Liste nehmen; ein fertiges Bild bleibt, wo es ist</translation>
+    </message>
+    <message>
+        <source>Progress of %1</source>
+        <translation>Fortschritt von %1</translation>
     </message>
 </context>
 <context>
@@ -4877,6 +5592,37 @@ Label %2, %3 Voxel</translation>
     <message>
         <source>Click the colour of “%1”; light and shadow are enough, drag on the ball to turn the light</source>
         <translation>Auf die Farbe von „%1“ klicken; Licht und Schatten genügen, auf der Kugel ziehen, um das Licht zu drehen</translation>
+    </message>
+</context>
+<context>
+    <name>limner::PictureWords</name>
+    <message>
+        <source>What the picture is</source>
+        <translation>Was das Bild ist</translation>
+    </message>
+    <message>
+        <source>%1 · %2 × %3 · %4 ms · %5 M samples · %6</source>
+        <translation>%1 · %2 × %3 · %4 ms · %5 Mio. Abtastpunkte · %6</translation>
+    </message>
+    <message>
+        <source>final</source>
+        <translation>endgültig</translation>
+    </message>
+    <message>
+        <source>draft</source>
+        <translation>Entwurf</translation>
+    </message>
+    <message>
+        <source>%1 · %2 to know</source>
+        <translation>%1 · %2 zu beachten</translation>
+    </message>
+    <message>
+        <source>Backend, pixels, time and samples of the shown picture</source>
+        <translation>Backend, Pixel, Zeit und Abtastpunkte des gezeigten Bildes</translation>
+    </message>
+    <message>
+        <source>Press to read it above the picture</source>
+        <translation>Drücken, um es über dem Bild zu lesen</translation>
     </message>
 </context>
 <context>
@@ -5072,6 +5818,53 @@ Label %2, %3 Voxel</translation>
     <message>
         <source>Make step</source>
         <translation>Stufe einfügen</translation>
+    </message>
+</context>
+<context>
+    <name>limner::RecoveryBar</name>
+    <message>
+        <source>Limner ended without saving this. Do you want it back?</source>
+        <translation>Limner wurde beendet, ohne dies zu speichern. Soll es zurückgeholt werden?</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Später</translation>
+    </message>
+    <message>
+        <source>Hide this; it is offered again at the next start</source>
+        <translation>Dies verbergen; beim nächsten Start wird es wieder angeboten</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;, changed %2&lt;br&gt;%3</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt;, geändert %2&lt;br&gt;%3</translation>
+    </message>
+    <message>
+        <source>never saved</source>
+        <translation>nie gespeichert</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Open it as it was; it counts as changed until you save it</source>
+        <translation>Öffnen, wie es war; es gilt als geändert, bis es gespeichert wird</translation>
+    </message>
+    <message>
+        <source>Restore %1</source>
+        <translation>%1 wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Delete it for good</source>
+        <translation>Endgültig löschen</translation>
+    </message>
+    <message>
+        <source>Discard %1</source>
+        <translation>%1 verwerfen</translation>
     </message>
 </context>
 <context>
@@ -5786,10 +6579,6 @@ Label %2, %3 Voxel</translation>
         <translation>Transferfunktion</translation>
     </message>
     <message>
-        <source>Opacity and style over the data value. Control with arrow keys goes from handle to handle, arrow keys move the handle, Insert adds a point, Delete removes.</source>
-        <translation>Deckkraft und Stil über dem Datenwert. Strg mit Pfeiltasten geht von Griff zu Griff, Pfeiltasten verschieben den Griff, Einfg fügt einen Punkt hinzu, Entf entfernt.</translation>
-    </message>
-    <message>
         <source>Move opacity point</source>
         <translation>Deckkraftpunkt verschieben</translation>
     </message>
@@ -5814,10 +6603,6 @@ Label %2, %3 Voxel</translation>
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Show the whole range</source>
-        <translation>Den ganzen Bereich zeigen</translation>
-    </message>
-    <message>
         <source>Make opacity step</source>
         <translation>Deckkraftstufe einfügen</translation>
     </message>
@@ -5838,10 +6623,6 @@ Label %2, %3 Voxel</translation>
         <translation>Stil hinzufügen</translation>
     </message>
     <message>
-        <source>Drag points and styles. Double click adds a point, Delete or the right button removes. The wheel zooms, the middle button moves the ruler; a double click on the ruler shows the whole range.</source>
-        <translation>Punkte und Stile ziehen. Doppelklick fügt einen Punkt hinzu, Entf oder die rechte Taste entfernt. Das Mausrad zoomt, die mittlere Taste verschiebt das Lineal; Doppelklick auf das Lineal zeigt den ganzen Bereich.</translation>
-    </message>
-    <message>
         <source>%1%2, opacity %3 %</source>
         <translation>%1%2, Deckkraft %3 %</translation>
     </message>
@@ -5858,16 +6639,222 @@ Label %2, %3 Voxel</translation>
         <translation>Eine Ebene wählen, um ihre Deckkraft zu formen.</translation>
     </message>
     <message>
-        <source>This layer&apos;s transfer function has two dimensions. It is kept as it is.</source>
-        <translation>Die Transferfunktion dieser Ebene hat zwei Dimensionen. Sie bleibt, wie sie ist.</translation>
-    </message>
-    <message>
         <source>Nothing shows yet. Double click to add an opacity point.</source>
         <translation>Noch ist nichts zu sehen. Doppelklicken, um einen Deckkraftpunkt hinzuzufügen.</translation>
     </message>
     <message>
         <source>100 %</source>
         <translation>100 %</translation>
+    </message>
+    <message>
+        <source>Opacity and style over the data value. Control with arrow keys goes from handle to handle, arrow keys move the handle, Insert adds a point, Delete removes; plus, minus and Home zoom.</source>
+        <translation>Deckkraft und Stil über dem Datenwert. Strg mit Pfeiltasten geht von Griff zu Griff, Pfeiltasten verschieben den Griff, Einfg fügt einen Punkt hinzu, Entf entfernt; Plus, Minus und Pos1 zoomen.</translation>
+    </message>
+    <message>
+        <source>Fit to the data (Home)</source>
+        <translation>An die Daten anpassen (Pos1)</translation>
+    </message>
+    <message>
+        <source>Show all values</source>
+        <translation>Alle Werte zeigen</translation>
+    </message>
+    <message>
+        <source>Zoom to</source>
+        <translation>Zoomen auf</translation>
+    </message>
+    <message>
+        <source>Change the curve&apos;s course</source>
+        <translation>Verlauf der Kurve ändern</translation>
+    </message>
+    <message>
+        <source>%1. A click shows it.</source>
+        <translation>%1. Ein Klick zeigt es.</translation>
+    </message>
+    <message>
+        <source>Drag points and styles. Double click adds a point, Delete or the right button removes. The wheel zooms, the middle button moves the ruler; a double click on the ruler fits it to the data.</source>
+        <translation>Punkte und Stile ziehen. Doppelklick fügt einen Punkt hinzu, Entf oder die rechte Taste entfernt. Das Mausrad zoomt, die mittlere Taste verschiebt das Lineal; Doppelklick auf das Lineal passt es an die Daten an.</translation>
+    </message>
+    <message>
+        <source>This layer&apos;s transfer function has two axes.</source>
+        <translation>Die Transferfunktion dieser Ebene hat zwei Achsen.</translation>
+    </message>
+</context>
+<context>
+    <name>limner::TransferCanvas2d</name>
+    <message>
+        <source>Transfer function over two axes</source>
+        <translation>Transferfunktion über zwei Achsen</translation>
+    </message>
+    <message>
+        <source>Opacity shapes and a grid of styles over two measures of the data. Control with arrow keys goes from handle to handle, arrow keys move, Insert adds a shape, Control D duplicates, Delete removes; plus, minus and Home zoom.</source>
+        <translation>Deckkraftformen und ein Gitter von Stilen über zwei Maßen der Daten. Strg mit Pfeiltasten geht von Griff zu Griff, Pfeiltasten verschieben, Einfg fügt eine Form hinzu, Strg+D dupliziert, Entf entfernt; Plus, Minus und Pos1 zoomen.</translation>
+    </message>
+    <message>
+        <source>Move style</source>
+        <translation>Stil verschieben</translation>
+    </message>
+    <message>
+        <source>Move opacity shape</source>
+        <translation>Deckkraftform verschieben</translation>
+    </message>
+    <message>
+        <source>Change the shape&apos;s opacity</source>
+        <translation>Deckkraft der Form ändern</translation>
+    </message>
+    <message>
+        <source>Change the shape&apos;s softness</source>
+        <translation>Weichheit der Form ändern</translation>
+    </message>
+    <message>
+        <source>Add opacity shape</source>
+        <translation>Deckkraftform hinzufügen</translation>
+    </message>
+    <message>
+        <source>Duplicate opacity shape</source>
+        <translation>Deckkraftform duplizieren</translation>
+    </message>
+    <message>
+        <source>Remove polygon point</source>
+        <translation>Polygonpunkt entfernen</translation>
+    </message>
+    <message>
+        <source>Remove opacity shape</source>
+        <translation>Deckkraftform entfernen</translation>
+    </message>
+    <message>
+        <source>Add a column of styles</source>
+        <translation>Eine Spalte Stile hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a row of styles</source>
+        <translation>Eine Zeile Stile hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove a column of styles</source>
+        <translation>Eine Spalte Stile entfernen</translation>
+    </message>
+    <message>
+        <source>Remove a row of styles</source>
+        <translation>Eine Zeile Stile entfernen</translation>
+    </message>
+    <message>
+        <source>Paint opacity</source>
+        <translation>Deckkraft malen</translation>
+    </message>
+    <message>
+        <source>Erase opacity</source>
+        <translation>Deckkraft radieren</translation>
+    </message>
+    <message>
+        <source>Add polygon point</source>
+        <translation>Polygonpunkt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplizieren</translation>
+    </message>
+    <message>
+        <source>Remove point</source>
+        <translation>Punkt entfernen</translation>
+    </message>
+    <message>
+        <source>Remove shape</source>
+        <translation>Form entfernen</translation>
+    </message>
+    <message>
+        <source>Remove this column</source>
+        <translation>Diese Spalte entfernen</translation>
+    </message>
+    <message>
+        <source>Remove this row</source>
+        <translation>Diese Zeile entfernen</translation>
+    </message>
+    <message>
+        <source>Fit to the data (Home)</source>
+        <translation>An die Daten anpassen (Pos1)</translation>
+    </message>
+    <message>
+        <source>Zoom to</source>
+        <translation>Zoomen auf</translation>
+    </message>
+    <message>
+        <source>Replace style</source>
+        <translation>Stil ersetzen</translation>
+    </message>
+    <message>
+        <source>%1. A click shows it.</source>
+        <translation>%1. Ein Klick zeigt es.</translation>
+    </message>
+    <message>
+        <source>Draw shapes with the tools, drag them and their handles. A double click on a polygon adds a point. Balls are the styles: one moves its column and its row. The wheel zooms, the middle button moves the plane.</source>
+        <translation>Mit den Werkzeugen Formen zeichnen, sie und ihre Griffe ziehen. Doppelklick auf ein Polygon fügt einen Punkt hinzu. Kugeln sind die Stile: Eine verschiebt ihre Spalte und ihre Zeile. Das Mausrad zoomt, die mittlere Taste verschiebt die Fläche.</translation>
+    </message>
+    <message>
+        <source>Plain colour</source>
+        <translation>Reine Farbe</translation>
+    </message>
+    <message>
+        <source>%1 at %2, %3</source>
+        <translation>%1 bei %2, %3</translation>
+    </message>
+    <message>
+        <source>Handle at %1, %2</source>
+        <translation>Griff bei %1, %2</translation>
+    </message>
+    <message>
+        <source>Shape of %1 % opacity, softness %2 %</source>
+        <translation>Form mit %1 % Deckkraft, Weichheit %2 %</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>1/mm</source>
+        <translation>1/mm</translation>
+    </message>
+    <message>
+        <source>Select a layer to shape its opacity.</source>
+        <translation>Eine Ebene wählen, um ihre Deckkraft zu formen.</translation>
+    </message>
+</context>
+<context>
+    <name>limner::TransferEditor</name>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>The measure that picks style and opacity</source>
+        <translation>Das Maß, das Stil und Deckkraft bestimmt</translation>
+    </message>
+    <message>
+        <source>and</source>
+        <translation>und</translation>
+    </message>
+    <message>
+        <source>A second measure: the function is drawn over the plane of both</source>
+        <translation>Ein zweites Maß: Die Funktion wird über der Fläche beider gezeichnet</translation>
+    </message>
+    <message>
+        <source>no second axis</source>
+        <translation>keine zweite Achse</translation>
+    </message>
+    <message>
+        <source>Change the axis</source>
+        <translation>Die Achse ändern</translation>
+    </message>
+    <message>
+        <source>Use one axis</source>
+        <translation>Eine Achse verwenden</translation>
+    </message>
+    <message>
+        <source>Use two axes</source>
+        <translation>Zwei Achsen verwenden</translation>
+    </message>
+    <message>
+        <source>Change the second axis</source>
+        <translation>Die zweite Achse ändern</translation>
     </message>
 </context>
 <context>
@@ -5931,6 +6918,212 @@ Label %2, %3 Voxel</translation>
     <message>
         <source>Nothing selected</source>
         <translation>Nichts gewählt</translation>
+    </message>
+    <message>
+        <source>Linear</source>
+        <translation>Linear</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Glatt</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Stufen</translation>
+    </message>
+    <message>
+        <source>Logarithm</source>
+        <translation>Logarithmisch</translation>
+    </message>
+    <message>
+        <source>Square root</source>
+        <translation>Quadratwurzel</translation>
+    </message>
+    <message>
+        <source>Plain counts</source>
+        <translation>Reine Anzahl</translation>
+    </message>
+    <message>
+        <source>Histogram&apos;s scale</source>
+        <translation>Skala des Histogramms</translation>
+    </message>
+    <message>
+        <source>How the histogram&apos;s heights follow the number of voxels; the figure stays as it is</source>
+        <translation>Wie die Höhen des Histogramms der Voxelzahl folgen; die Abbildung bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>Histogram</source>
+        <translation>Histogramm</translation>
+    </message>
+</context>
+<context>
+    <name>limner::TransferEditor2d</name>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Duplicate the selected shape (Ctrl+D)</source>
+        <translation>Die gewählte Form duplizieren (Strg+D)</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the selected shape or polygon point (Delete)</source>
+        <translation>Die gewählte Form oder den gewählten Polygonpunkt entfernen (Entf)</translation>
+    </message>
+    <message>
+        <source>Opacity of the shape</source>
+        <translation>Deckkraft der Form</translation>
+    </message>
+    <message>
+        <source>Opacity inside the shape, in percent for a thickness of one voxel</source>
+        <translation>Deckkraft in der Form, in Prozent für eine Dicke von einem Voxel</translation>
+    </message>
+    <message>
+        <source>Softness of the shape</source>
+        <translation>Weichheit der Form</translation>
+    </message>
+    <message>
+        <source>Width of the soft border inside the shape, in percent of half its extent</source>
+        <translation>Breite des weichen Rands in der Form, in Prozent ihrer halben Ausdehnung</translation>
+    </message>
+    <message>
+        <source>+ Column</source>
+        <translation>+ Spalte</translation>
+    </message>
+    <message>
+        <source>Add a column of styles to the grid; drop styles from the gallery onto the balls</source>
+        <translation>Dem Gitter eine Spalte Stile hinzufügen; Stile aus der Galerie auf die Kugeln legen</translation>
+    </message>
+    <message>
+        <source>+ Row</source>
+        <translation>+ Zeile</translation>
+    </message>
+    <message>
+        <source>Add a row of styles to the grid; drop styles from the gallery onto the balls</source>
+        <translation>Dem Gitter eine Zeile Stile hinzufügen; Stile aus der Galerie auf die Kugeln legen</translation>
+    </message>
+    <message>
+        <source>− Column</source>
+        <translation>− Spalte</translation>
+    </message>
+    <message>
+        <source>Remove the selected style&apos;s column</source>
+        <translation>Die Spalte des gewählten Stils entfernen</translation>
+    </message>
+    <message>
+        <source>− Row</source>
+        <translation>− Zeile</translation>
+    </message>
+    <message>
+        <source>Remove the selected style&apos;s row</source>
+        <translation>Die Zeile des gewählten Stils entfernen</translation>
+    </message>
+    <message>
+        <source>Select, move and resize shapes and styles (Esc)</source>
+        <translation>Formen und Stile wählen, verschieben und in der Größe ändern (Esc)</translation>
+    </message>
+    <message>
+        <source>Draw a rectangle of opacity</source>
+        <translation>Ein Rechteck aus Deckkraft zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw a trapezoid: ramps along the first axis</source>
+        <translation>Ein Trapez zeichnen: Rampen entlang der ersten Achse</translation>
+    </message>
+    <message>
+        <source>Draw an ellipse of opacity</source>
+        <translation>Eine Ellipse aus Deckkraft zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw a polygon; a double click on it adds a point</source>
+        <translation>Ein Polygon zeichnen; Doppelklick darauf fügt einen Punkt hinzu</translation>
+    </message>
+    <message>
+        <source>Paint opacity freely, with a brush</source>
+        <translation>Deckkraft frei mit einem Pinsel malen</translation>
+    </message>
+    <message>
+        <source>Erase painted opacity of the selected mask</source>
+        <translation>Gemalte Deckkraft der gewählten Maske radieren</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>Pinsel</translation>
+    </message>
+    <message>
+        <source>Soft</source>
+        <translation>Weich</translation>
+    </message>
+    <message>
+        <source>Radius of the brush</source>
+        <translation>Radius des Pinsels</translation>
+    </message>
+    <message>
+        <source>Radius of the brush, in pixels of the plane</source>
+        <translation>Radius des Pinsels, in Pixeln der Fläche</translation>
+    </message>
+    <message>
+        <source>Softness of the brush</source>
+        <translation>Weichheit des Pinsels</translation>
+    </message>
+    <message>
+        <source>Share of the brush&apos;s radius over which it fades, in percent</source>
+        <translation>Anteil des Pinselradius, über den er ausläuft, in Prozent</translation>
+    </message>
+    <message>
+        <source>Place on the first axis</source>
+        <translation>Lage auf der ersten Achse</translation>
+    </message>
+    <message>
+        <source>Place of what is selected on the first axis, in its unit</source>
+        <translation>Lage des Gewählten auf der ersten Achse, in deren Einheit</translation>
+    </message>
+    <message>
+        <source>Place on the second axis</source>
+        <translation>Lage auf der zweiten Achse</translation>
+    </message>
+    <message>
+        <source>Place of what is selected on the second axis, in its unit</source>
+        <translation>Lage des Gewählten auf der zweiten Achse, in deren Einheit</translation>
+    </message>
+    <message>
+        <source>First axis</source>
+        <translation>Erste Achse</translation>
+    </message>
+    <message>
+        <source>Second axis</source>
+        <translation>Zweite Achse</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>Softness</source>
+        <translation>Weichheit</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>1/mm</source>
+        <translation>1/mm</translation>
+    </message>
+</context>
+<context>
+    <name>limner::TransferPlane</name>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>1/mm</source>
+        <translation>1/mm</translation>
     </message>
 </context>
 <context>
@@ -6240,6 +7433,48 @@ Label %2, %3 Voxel</translation>
         <source>Recent</source>
         <translation>Zuletzt geöffnet</translation>
     </message>
+    <message>
+        <source>Sample figures</source>
+        <translation>Beispielabbildungen</translation>
+    </message>
+    <message>
+        <source>Figures that come with Limner, on the head CT of this machine; Enter or a double click opens</source>
+        <translation>Mit Limner gelieferte Abbildungen, auf dem Kopf-CT dieses Rechners; Eingabe oder Doppelklick öffnet</translation>
+    </message>
+</context>
+<context>
+    <name>limner::WidenOverlay</name>
+    <message>
+        <source>Widen range</source>
+        <translation>Bereich erweitern</translation>
+    </message>
+    <message>
+        <source>Reading the values under the pointer</source>
+        <translation>Die Werte unter dem Zeiger werden gelesen</translation>
+    </message>
+    <message>
+        <source>The layer is locked · choose another one · Esc: leave</source>
+        <translation>Die Ebene ist gesperrt · eine andere wählen · Esc: verlassen</translation>
+    </message>
+    <message>
+        <source>This works over the axes value and gradient · choose another layer · Esc: leave</source>
+        <translation>Dies geht über den Achsen Wert und Gradient · eine andere Ebene wählen · Esc: verlassen</translation>
+    </message>
+    <message>
+        <source>There was nothing to read there · drag over the structure · Esc: leave</source>
+        <translation>Dort war nichts zu lesen · über die Struktur ziehen · Esc: verlassen</translation>
+    </message>
+    <message>
+        <source>Drag over what the chosen layer is to show too · Esc: leave</source>
+        <translation>Über das ziehen, was die gewählte Ebene auch zeigen soll · Esc: verlassen</translation>
+    </message>
+</context>
+<context>
+    <name>limner::WindowAnnotations</name>
+    <message>
+        <source>Annotations</source>
+        <translation>Beschriftungen</translation>
+    </message>
 </context>
 <context>
     <name>limner::WindowBackground</name>
@@ -6262,6 +7497,140 @@ Label %2, %3 Voxel</translation>
     <message>
         <source>Background picture</source>
         <translation>Hintergrundbild</translation>
+    </message>
+</context>
+<context>
+    <name>limner::WindowDocuments</name>
+    <message>
+        <source>%1 copy.limner</source>
+        <translation>%1 Kopie.limner</translation>
+    </message>
+    <message>
+        <source>Save a copy</source>
+        <translation>Kopie speichern</translation>
+    </message>
+    <message>
+        <source>Limner project (*.limner);;Bare figure (*.json)</source>
+        <translation>Limner-Projekt (*.limner);;Reine Abbildung (*.json)</translation>
+    </message>
+    <message>
+        <source>“%1” is open in another Limner (%2). You can work on it here; saving asks for another name.</source>
+        <translation>„%1“ ist in einem anderen Limner geöffnet (%2). Hier lässt sich daran arbeiten; beim Speichern wird nach einem anderen Namen gefragt.</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 wird gelesen</translation>
+    </message>
+    <message>
+        <source>Revert to saved</source>
+        <translation>Auf gespeicherten Stand zurücksetzen</translation>
+    </message>
+    <message>
+        <source>As it was saved; Undo brings your changes back</source>
+        <translation>Wie gespeichert; Rückgängig holt die Änderungen zurück</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>%1 wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Saved a copy as %1</source>
+        <translation>Kopie gespeichert als %1</translation>
+    </message>
+    <message>
+        <source>Take the scan out into a file</source>
+        <translation>Die Aufnahme in eine Datei herausnehmen</translation>
+    </message>
+    <message>
+        <source>NRRD volume (*.nrrd)</source>
+        <translation>NRRD-Volumen (*.nrrd)</translation>
+    </message>
+    <message>
+        <source>Pack the scan into the project</source>
+        <translation>Die Aufnahme ins Projekt packen</translation>
+    </message>
+    <message>
+        <source>The scan goes into the project at the next save</source>
+        <translation>Die Aufnahme kommt beim nächsten Speichern ins Projekt</translation>
+    </message>
+    <message>
+        <source>Take the scan out of the project</source>
+        <translation>Die Aufnahme aus dem Projekt nehmen</translation>
+    </message>
+    <message>
+        <source>The project refers to the scan&apos;s file from the next save on</source>
+        <translation>Vom nächsten Speichern an verweist das Projekt auf die Datei der Aufnahme</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>%1 wird geschrieben</translation>
+    </message>
+    <message>
+        <source>The scan “%1” is not where it was.</source>
+        <translation>Die Aufnahme „%1“ ist nicht mehr, wo sie war.</translation>
+    </message>
+    <message>
+        <source>The second scan “%1” is not where it was.</source>
+        <translation>Die zweite Aufnahme „%1“ ist nicht mehr, wo sie war.</translation>
+    </message>
+    <message>
+        <source>The labels “%1” are not where they were.</source>
+        <translation>Die Labels „%1“ sind nicht mehr, wo sie waren.</translation>
+    </message>
+    <message>
+        <source>Where is “%1”?</source>
+        <translation>Wo ist „%1“?</translation>
+    </message>
+    <message>
+        <source>That file (%1);;Everything (*)</source>
+        <translation>Diese Datei (%1);;Alles (*)</translation>
+    </message>
+    <message>
+        <source>Looking for what is missing</source>
+        <translation>Fehlendes wird gesucht</translation>
+    </message>
+    <message>
+        <source>Find what was missing</source>
+        <translation>Fehlendes finden</translation>
+    </message>
+    <message>
+        <source>The scan was found at %1</source>
+        <translation>Die Aufnahme wurde unter %1 gefunden</translation>
+    </message>
+</context>
+<context>
+    <name>limner::WindowExport</name>
+    <message>
+        <source>Output</source>
+        <translation>Ausgabe</translation>
+    </message>
+    <message>
+        <source>Pictures are being written</source>
+        <translation>Bilder werden geschrieben</translation>
+    </message>
+    <message>
+        <source>Leave now and stop them? What is drawn is kept: the same export goes on there later.</source>
+        <translation>Jetzt verlassen und sie anhalten? Was gezeichnet ist, bleibt erhalten: Derselbe Export macht später dort weiter.</translation>
+    </message>
+    <message>
+        <source>Exported %1</source>
+        <translation>%1 exportiert</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Fortsetzen</translation>
+    </message>
+    <message>
+        <source>Export picture</source>
+        <translation>Bild exportieren</translation>
+    </message>
+    <message>
+        <source>%1 picture (*.%2)</source>
+        <translation>%1-Bild (*.%2)</translation>
+    </message>
+    <message>
+        <source>Change output size</source>
+        <translation>Ausgabegröße ändern</translation>
     </message>
 </context>
 <context>
@@ -6308,6 +7677,29 @@ Label %2, %3 Voxel</translation>
     </message>
 </context>
 <context>
+    <name>limner::WindowHistory</name>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Name this state</source>
+        <translation>Diesen Stand benennen</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>Name:</translation>
+    </message>
+    <message>
+        <source>State %1</source>
+        <translation>Stand %1</translation>
+    </message>
+    <message>
+        <source>Go to “%1”</source>
+        <translation>Zu „%1“ gehen</translation>
+    </message>
+</context>
+<context>
     <name>limner::WindowLooks</name>
     <message>
         <source>Keep this look</source>
@@ -6351,6 +7743,29 @@ Label %2, %3 Voxel</translation>
     </message>
 </context>
 <context>
+    <name>limner::WindowRecovery</name>
+    <message>
+        <source>today, %1</source>
+        <translation>heute, %1</translation>
+    </message>
+    <message>
+        <source>yesterday, %1</source>
+        <translation>gestern, %1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Restoring %1</source>
+        <translation>%1 wird wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>Keeping unsaved work</source>
+        <translation>Nicht gespeicherte Arbeit wird gesichert</translation>
+    </message>
+</context>
+<context>
     <name>limner::WindowSlices</name>
     <message>
         <source>Slices</source>
@@ -6362,6 +7777,21 @@ Label %2, %3 Voxel</translation>
     <message>
         <source>Stipple</source>
         <translation>Punktierung</translation>
+    </message>
+</context>
+<context>
+    <name>limner::WindowTransfer</name>
+    <message>
+        <source>Counting voxels over two axes</source>
+        <translation>Voxel werden über zwei Achsen gezählt</translation>
+    </message>
+    <message>
+        <source>Reading the value under the pointer</source>
+        <translation>Der Wert unter dem Zeiger wird gelesen</translation>
+    </message>
+    <message>
+        <source>How the voxels lie over these axes is not shown: it depends on the view or on other measures.</source>
+        <translation>Wie die Voxel über diesen Achsen liegen, wird nicht gezeigt: Es hängt von der Ansicht oder von anderen Maßen ab.</translation>
     </message>
 </context>
 <context>

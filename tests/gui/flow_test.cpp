@@ -4,11 +4,13 @@
 
 #include "app/studio/window_annotations.h"
 #include "app/studio/window_export.h"
+#include "app/studio/window_gallery.h"
 #include "app/studio/window_recovery.h"
 #include "widgets/annotation_form.h"
 #include "widgets/gallery_list.h"
 #include "widgets/label_tool.h"
 #include "widgets/layer_list.h"
+#include "widgets/style_drop.h"
 #include "widgets/style_gallery.h"
 #include "widgets/style_mime.h"
 #include "widgets/transfer_canvas.h"
@@ -65,9 +67,12 @@ class Flow : public ::testing::Test {
 
     void label(Studio& studio, const QString& words) {
         auto* annotations = studio.window->findChild<WindowAnnotations*>();
+        studio.window->activateWindow(); // the keys go to it, as they do on a desktop
+        ASSERT_TRUE(QTest::qWaitForWindowActive(studio.window.get()));
         studio.trigger("edit.add-label");
         QTest::mouseClick(&annotations->tool(), Qt::LeftButton, {},
                           studio.window->viewport().sheet().center().toPoint());
+        ASSERT_EQ(studio.figure().annotations.size(), 1U);
         ASSERT_TRUE(pumpUntil([&] { return annotations->form().words()->hasFocus(); }));
         QTest::keyClicks(annotations->form().words(), words);
     }
@@ -108,7 +113,10 @@ TEST_F(Flow, FromScanToPrintThroughACrash) {
         bool kept = false;
         QObject::connect(studio.window->findChild<WindowRecovery*>(), &WindowRecovery::kept, [&] { kept = true; });
         studio.window->usePreset("skin", "Skin");
-        ASSERT_TRUE(pumpUntil([&] { return kept && !studio.window->busy(); }));
+        ASSERT_TRUE(pumpUntil([&] { return !studio.window->busy() && studio.window->document().dirty(); }));
+        kept = false;
+        studio.trigger("view.left");
+        ASSERT_TRUE(pumpUntil([&] { return kept; }));
         lost = studio.figure();
         // The window goes without being closed: what a crash leaves is what lies on the disk.
     }

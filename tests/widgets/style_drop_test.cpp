@@ -59,7 +59,7 @@ struct Dropping {
         Task task;
         QImage image(viewport.picturePixels(), QImage::Format_RGB32);
         image.fill(Qt::white);
-        viewport.setPicture({image, Planner().plan(*history.current(), request, task), {}});
+        viewport.setPicture({image, Planner().plan(*history.current(), request, task), {}, {}});
     }
     [[nodiscard]] QPoint at(double x, double y) const {
         const QRectF sheet = viewport.sheet();

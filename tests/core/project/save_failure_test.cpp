@@ -37,7 +37,9 @@ Document documentOf(const std::string& title) {
         document.figure.cleanup.emplace_back().above = static_cast<double>(random());
         if (i > 1000) {
             document.figure.cleanup.pop_back();
-            document.figure.annotations.emplace_back().text = std::to_string(random());
+            if (document.figure.annotations.size() < 250) // a figure may have 256
+                document.figure.annotations.emplace_back();
+            document.figure.annotations.back().text += std::to_string(random()) + " ";
         }
     }
     return document;
