@@ -25,16 +25,24 @@ namespace {
 using testing::pumpUntil;
 using testing::Studio;
 
+/// A window that finds what another has left in the folder for unsaved work.
+struct NextStudio : Studio {
+    explicit NextStudio(const QString& recovery) {
+        qputenv("LIMNER_RECOVERY", recovery.toUtf8());
+        window = std::make_unique<MainWindow>(makeEngine());
+        window->askAboutChanges = [] { return MainWindow::Answer::discard; };
+        window->show();
+    }
+};
+
 class Flow : public ::testing::Test {
   protected:
-    void SetUp() override {
-        qputenv("LIMNER_RECOVERY", folder_.filePath("recovery").toUtf8());
-        qputenv("LIMNER_AUTOSAVE_EDITS", "1");
-    }
+    void SetUp() override { qputenv("LIMNER_AUTOSAVE_EDITS", "1"); }
     void TearDown() override {
         qunsetenv("LIMNER_RECOVERY");
         qunsetenv("LIMNER_AUTOSAVE_EDITS");
     }
+    [[nodiscard]] QString recovery() const { return folder_.filePath("recovery"); }
 
     void dropStyle(Studio& studio) {
         const auto& items = studio.window->gallery().list()->items();
@@ -84,7 +92,7 @@ TEST_F(Flow, FromScanToPrintThroughACrash) {
     const std::filesystem::path project = folder_.filePath("skull.limner").toStdString();
     Figure lost;
     {
-        Studio studio;
+        NextStudio studio(recovery());
         ASSERT_TRUE(studio.openSample());
         ASSERT_TRUE(pumpUntil([&] { return !studio.window->gallery().list()->items().empty(); }));
         const Figure start = studio.figure();
@@ -120,11 +128,11 @@ TEST_F(Flow, FromScanToPrintThroughACrash) {
         lost = studio.figure();
         // The window goes without being closed: what a crash leaves is what lies on the disk.
     }
-    Studio again;
-    auto* recovery = again.window->findChild<WindowRecovery*>();
-    ASSERT_TRUE(pumpUntil([&] { return recovery->offered().size() == 1; }));
-    EXPECT_EQ(recovery->offered()[0].project, project);
-    recovery->restore(0);
+    NextStudio again(recovery());
+    auto* unsaved = again.window->findChild<WindowRecovery*>();
+    ASSERT_TRUE(pumpUntil([&] { return unsaved->offered().size() == 1; }));
+    EXPECT_EQ(unsaved->offered()[0].project, project);
+    unsaved->restore(0);
     ASSERT_TRUE(pumpUntil([&] { return !again.window->document().empty(); }));
     EXPECT_EQ(again.figure().layers, lost.layers);
     EXPECT_EQ(again.figure().annotations, lost.annotations);
