@@ -85,6 +85,19 @@ class Flow : public ::testing::Test {
         QTest::keyClicks(annotations->form().words(), words);
     }
 
+    void exportPicture(Studio& studio) {
+        const QString picture = folder_.filePath("skull.png");
+        ExportDialog::Choice choice;
+        choice.output = studio.figure().output;
+        choice.output.dpi = 50;
+        choice.ending = "png";
+        auto* exporting = studio.window->findChild<WindowExport*>();
+        exporting->exportPath(picture.toStdString(), choice);
+        ASSERT_TRUE(pumpUntil([&] { return !exporting->busy(); }));
+        const QImage exported(picture);
+        EXPECT_EQ(exported.size(), QSize(354, 354)) << "180 mm at 50 dots per inch";
+    }
+
     QTemporaryDir folder_;
 };
 
@@ -138,16 +151,7 @@ TEST_F(Flow, FromScanToPrintThroughACrash) {
     EXPECT_EQ(again.figure().annotations, lost.annotations);
     EXPECT_TRUE(again.window->document().dirty());
     EXPECT_EQ(again.window->document().projectPath(), project);
-    const QString picture = folder_.filePath("skull.png");
-    ExportDialog::Choice choice;
-    choice.output = again.figure().output;
-    choice.output.dpi = 50;
-    choice.ending = "png";
-    auto* exporting = again.window->findChild<WindowExport*>();
-    exporting->exportPath(picture.toStdString(), choice);
-    ASSERT_TRUE(pumpUntil([&] { return !exporting->busy(); }));
-    const QImage exported(picture);
-    EXPECT_EQ(exported.size(), QSize(354, 354)) << "180 mm at 50 dots per inch";
+    exportPicture(again);
 }
 
 } // namespace
