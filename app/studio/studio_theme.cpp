@@ -56,6 +56,7 @@ QString sheetOf(const Colours& c) {
                           "QMainWindow::separator:hover { background: %4; }"
                           "QToolBar { spacing: 2px; padding: 3px 6px; border: 0; border-bottom: 1px solid %2; }"
                           "QToolBar QToolButton { padding: 4px 8px; }"
+                          "QMainWindow > QTabBar { font-size: 9pt; }" // the panels' names stand in full
                           "QStatusBar { border-top: 1px solid %2; }"
                           "QStatusBar::item { border: 0; }")
         .arg(c.title, c.line, c.separator, c.separatorUnder);

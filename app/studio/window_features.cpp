@@ -56,7 +56,7 @@ Workplace MainWindow::workplace() {
 void MainWindow::arrangePanels() {
     constexpr int kGalleryWidth = 264; // a card with its two pictures side by side
     constexpr int kPanelWidth = 390;
-    constexpr int kLayersHeight = 420, kTransferHeight = 390;
+    constexpr int kLayersHeight = 440, kTransferHeight = 400;
     const auto panel = [this](const char* name) { return findChild<QDockWidget*>(name); };
     setTabPosition(Qt::RightDockWidgetArea, QTabWidget::East); // upright there is room for all their names
     QDockWidget* layers = panel("dock.layers");

@@ -12,7 +12,7 @@ namespace limner {
 
 WindowView::WindowView(const Workplace& place)
     : QObject(place.window), place_(place), form_(new ViewForm), overlay_(new ClipOverlay(place.viewport)) {
-    QDockWidget* panel = place_.addDock("dock.view", tr("View and cut"), form_, Qt::RightDockWidgetArea);
+    QDockWidget* panel = place_.addDock("dock.view", tr("View"), form_, Qt::RightDockWidgetArea);
     connect(panel, &QDockWidget::visibilityChanged, this, [this](bool seen) {
         seen_ = seen; // isVisible would be true behind another tab
         showFigure();

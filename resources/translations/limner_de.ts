@@ -710,7 +710,7 @@
     </message>
     <message>
         <source>Annotations</source>
-        <translation>Beschriftungen</translation>
+        <translation>Beschriftung</translation>
     </message>
     <message>
         <source>Another number spreads the dots otherwise.</source>
@@ -2892,7 +2892,7 @@
     </message>
     <message>
         <source>Annotations</source>
-        <translation>Beschriftungen</translation>
+        <translation>Beschriftung</translation>
     </message>
     <message>
         <source>What is written over the figure; drag it in the picture to place it</source>
@@ -7473,7 +7473,7 @@ Label %2, %3 Voxel</translation>
     <name>limner::WindowAnnotations</name>
     <message>
         <source>Annotations</source>
-        <translation>Beschriftungen</translation>
+        <translation>Beschriftung</translation>
     </message>
 </context>
 <context>
@@ -7797,8 +7797,8 @@ Label %2, %3 Voxel</translation>
 <context>
     <name>limner::WindowView</name>
     <message>
-        <source>View and cut</source>
-        <translation>Ansicht und Schnitt</translation>
+        <source>View</source>
+        <translation>Ansicht</translation>
     </message>
 </context>
 <context>
