@@ -15,6 +15,7 @@
 #include "widgets/picture_handle.h"
 #include "widgets/point_mark.h"
 #include "widgets/slices_panel.h"
+#include "widgets/style_gallery.h"
 #include "widgets/view_form.h"
 
 #include <QCheckBox>
@@ -54,7 +55,9 @@ TEST(Workspace, EveryCommandIsFoundByItsName) {
     EXPECT_GT(named, 40);
     palette->search()->setText("dark");
     QTest::keyClick(palette->search(), Qt::Key_Return);
-    EXPECT_LT(studio.window->palette().color(QPalette::Window).lightness(), 100) << "the colours change at once";
+    EXPECT_TRUE(pumpUntil([&] { return studio.window->palette().color(QPalette::Window).lightness() < 100; }, 5000));
+    EXPECT_TRUE(
+        pumpUntil([&] { return studio.window->gallery().grab().toImage().pixelColor(2, 2).lightness() < 100; }, 5000));
     EXPECT_EQ(chosenStudioTheme(), StudioTheme::dark);
     workspace->useTheme(StudioTheme::light);
 }
