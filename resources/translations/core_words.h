@@ -1,4 +1,5 @@
 // For lupdate: the core's words (widgets/core_words.h). Written by resources/translations/update.
+// clang-format off
 QT_TRANSLATE_NOOP("Core", "0: not seen.")
 QT_TRANSLATE_NOOP("Core", "A CT whose values were cut to 8 bits: soft tissue, blood and bone by brightness.")
 QT_TRANSLATE_NOOP("Core", "A casting or assembly: a glassy body around its dense parts, steel and brass.")
