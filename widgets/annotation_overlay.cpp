@@ -2,7 +2,6 @@
 
 #include "core/figure/annotation_edits.h"
 #include "renderer/annotations.h"
-#include "renderer/pick.h"
 #include "widgets/viewport.h"
 
 #include <QKeyEvent>
@@ -59,16 +58,11 @@ const AnnotationPlace* AnnotationOverlay::placeOf(std::size_t index) const {
 }
 
 QPointF AnnotationOverlay::toWidget(const glm::dvec2& mm) const {
-    const QRectF sheet = viewport_->sheet();
     const Output& output = viewport_->picture()->plan->figure->output;
-    return {sheet.left() + mm.x / output.widthMm * sheet.width(),
-            sheet.top() + mm.y / output.heightMm * sheet.height()};
+    return viewport_->onScreen(mm / glm::dvec2(output.widthMm, output.heightMm));
 }
 
-glm::dvec2 AnnotationOverlay::toFigure(QPointF position) const {
-    const QRectF sheet = viewport_->sheet();
-    return {(position.x() - sheet.left()) / sheet.width(), (position.y() - sheet.top()) / sheet.height()};
-}
+glm::dvec2 AnnotationOverlay::toFigure(QPointF position) const { return viewport_->onFigure(position); }
 
 std::optional<QPointF> AnnotationOverlay::middleOf(std::size_t index) const {
     const AnnotationPlace* place = placeOf(index);
@@ -115,8 +109,7 @@ bool AnnotationOverlay::press(QPointF position) {
 }
 
 void AnnotationOverlay::movePoint(Figure& figure, QPointF position) const {
-    const RenderPlan& plan = *viewport_->picture()->plan;
-    if (const auto pick = pickMatter(plan, toFigure(position) * glm::dvec2(plan.size)))
+    if (const auto pick = viewport_->pickAt(position))
         figure.annotations[dragged_.index].anchorMm = pick->pointMm;
 }
 

@@ -1,6 +1,5 @@
 #include "widgets/clip_overlay.h"
 
-#include "core/figure/view_frame.h"
 #include "widgets/picture_handle.h"
 #include "widgets/viewport.h"
 
@@ -58,12 +57,7 @@ PictureHandle* ClipOverlay::boxGrip(std::size_t side) const {
 PictureHandle* ClipOverlay::planeGrip(std::size_t plane) const { return boxGrip(kSides + plane); }
 
 std::optional<QPointF> ClipOverlay::onScreen(const glm::dvec3& pointMm) const {
-    const ViewFrame frame(figure_->camera, figure_->output.aspect());
-    const glm::dvec3 at = frame.project(pointMm);
-    if (at.z <= 0) // behind the eye
-        return std::nullopt;
-    const QRectF sheet = viewport_->sheet();
-    return QPointF(sheet.left() + at.x / at.z * sheet.width(), sheet.top() + at.y / at.z * sheet.height());
+    return viewport_->onScreen(*figure_, pointMm);
 }
 
 glm::dvec3 ClipOverlay::outward(std::size_t index, const Clip& clip) {

@@ -1,7 +1,6 @@
 #include "widgets/island_overlay.h"
 
 #include "core/figure/cleanup_start.h"
-#include "renderer/pick.h"
 #include "widgets/viewport.h"
 
 #include <QMouseEvent>
@@ -22,7 +21,7 @@ void IslandOverlay::mousePressEvent(QMouseEvent* event) {
         return;
     }
     const RenderPlan& plan = *shown->plan;
-    const auto pick = pickMatter(plan, onFigure(event->position()) * glm::dvec2(plan.size));
+    const auto pick = viewport().pickAt(event->position());
     missed_ = !pick;
     update();
     if (!pick)

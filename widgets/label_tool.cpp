@@ -1,7 +1,6 @@
 #include "widgets/label_tool.h"
 
 #include "core/figure/annotation_edits.h"
-#include "renderer/pick.h"
 #include "widgets/viewport.h"
 
 #include <QMouseEvent>
@@ -16,12 +15,12 @@ QString LabelTool::hint() const {
 }
 
 void LabelTool::mousePressEvent(QMouseEvent* event) {
-    const auto& shown = viewport().picture();
-    if (event->button() != Qt::LeftButton || !shown || figure()->annotations.size() >= kMostAnnotations) {
+    if (event->button() != Qt::LeftButton || !viewport().picture() ||
+        figure()->annotations.size() >= kMostAnnotations) {
         event->ignore();
         return;
     }
-    const auto pick = pickMatter(*shown->plan, onFigure(event->position()) * glm::dvec2(shown->plan->size));
+    const auto pick = viewport().pickAt(event->position());
     missed_ = !pick;
     update();
     if (!pick)

@@ -1,7 +1,5 @@
 #include "widgets/measure_overlay.h"
 
-#include "core/figure/view_frame.h"
-#include "renderer/pick.h"
 #include "widgets/sheet_painting.h"
 #include "widgets/viewport.h"
 
@@ -51,13 +49,11 @@ std::optional<double> MeasureOverlay::angleDeg() const {
 }
 
 void MeasureOverlay::mousePressEvent(QMouseEvent* event) {
-    const auto& shown = viewport().picture();
-    if (event->button() != Qt::LeftButton || !shown) {
+    if (event->button() != Qt::LeftButton || !viewport().picture()) {
         event->ignore();
         return;
     }
-    const RenderPlan& plan = *shown->plan;
-    const auto pick = pickMatter(plan, onFigure(event->position()) * glm::dvec2(plan.size));
+    const auto pick = viewport().pickAt(event->position());
     missed_ = !pick;
     if (pick) {
         if (pointsMm_.size() == 3)
@@ -83,8 +79,7 @@ void MeasureOverlay::keyPressEvent(QKeyEvent* event) {
 }
 
 std::optional<QPointF> MeasureOverlay::onPicture(const glm::dvec3& pointMm) const {
-    const glm::dvec3 at = ViewFrame(figure()->camera, figure()->output.aspect()).project(pointMm);
-    return at.z > 0 ? std::optional(onScreen(glm::dvec2(at) / at.z)) : std::nullopt;
+    return viewport().onScreen(*figure(), pointMm);
 }
 
 void MeasureOverlay::paintTool(QPainter& painter) {

@@ -1,6 +1,5 @@
 #include "widgets/point_mark.h"
 
-#include "core/figure/view_frame.h"
 #include "widgets/viewport.h"
 
 #include <QEvent>
@@ -26,11 +25,7 @@ void PointMark::setPoint(std::shared_ptr<const Figure> figure, std::optional<glm
 std::optional<QPointF> PointMark::place() const {
     if (!figure_ || !pointMm_)
         return std::nullopt;
-    const glm::dvec3 at = ViewFrame(figure_->camera, figure_->output.aspect()).project(*pointMm_);
-    if (at.z <= 0)
-        return std::nullopt;
-    const QRectF sheet = viewport_->sheet();
-    return QPointF(sheet.left() + at.x / at.z * sheet.width(), sheet.top() + at.y / at.z * sheet.height());
+    return viewport_->onScreen(*figure_, *pointMm_);
 }
 
 void PointMark::paintEvent(QPaintEvent*) {

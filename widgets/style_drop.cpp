@@ -102,11 +102,9 @@ void StyleDrop::setFigure(std::shared_ptr<const Figure> figure) {
 }
 
 std::optional<glm::dvec2> StyleDrop::pixelAt(QPointF position) const {
-    const QRectF sheet = viewport_->sheet();
-    if (!plan_ || !sheet.contains(position))
+    if (!plan_ || !viewport_->sheet().contains(position))
         return std::nullopt;
-    return glm::dvec2((position.x() - sheet.left()) / sheet.width() * plan_->size.x,
-                      (position.y() - sheet.top()) / sheet.height() * plan_->size.y);
+    return viewport_->onFigure(position) * glm::dvec2(plan_->size);
 }
 
 bool StyleDrop::isMeant(const StyleTarget& target) const {

@@ -52,15 +52,9 @@ void ToolOverlay::layDown() {
     Q_EMIT takenChanged(false);
 }
 
-glm::dvec2 ToolOverlay::onFigure(QPointF position) const {
-    const QRectF sheet = viewport_->sheet();
-    return {(position.x() - sheet.left()) / sheet.width(), (position.y() - sheet.top()) / sheet.height()};
-}
+glm::dvec2 ToolOverlay::onFigure(QPointF position) const { return viewport_->onFigure(position); }
 
-QPointF ToolOverlay::onScreen(const glm::dvec2& place) const {
-    const QRectF sheet = viewport_->sheet();
-    return {sheet.left() + place.x * sheet.width(), sheet.top() + place.y * sheet.height()};
-}
+QPointF ToolOverlay::onScreen(const glm::dvec2& place) const { return viewport_->onScreen(place); }
 
 void ToolOverlay::paintEvent(QPaintEvent*) {
     QPainter painter(this);

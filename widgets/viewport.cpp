@@ -1,5 +1,6 @@
 #include "widgets/viewport.h"
 
+#include "core/figure/view_frame.h"
 #include "widgets/sheet_painting.h"
 
 #include <QKeyEvent>
@@ -65,6 +66,28 @@ QRectF Viewport::sheet() const {
     const QPointF corner = room.center() - QPointF(size.width(), size.height()) / 2;
     return {std::round(corner.x()), std::round(corner.y()), std::max(1.0, std::floor(size.width())),
             std::max(1.0, std::floor(size.height()))};
+}
+
+glm::dvec2 Viewport::onFigure(QPointF position) const {
+    const QRectF area = sheet();
+    return {(position.x() - area.left()) / area.width(), (position.y() - area.top()) / area.height()};
+}
+
+QPointF Viewport::onScreen(const glm::dvec2& place) const {
+    const QRectF area = sheet();
+    return {area.left() + place.x * area.width(), area.top() + place.y * area.height()};
+}
+
+std::optional<QPointF> Viewport::onScreen(const Figure& figure, const glm::dvec3& pointMm) const {
+    const glm::dvec3 at = ViewFrame(figure.camera, figure.output.aspect()).project(pointMm);
+    return at.z > 0 ? std::optional(onScreen(glm::dvec2(at) / at.z)) : std::nullopt;
+}
+
+std::optional<Pick> Viewport::pickAt(QPointF position) const {
+    if (!picture_)
+        return std::nullopt;
+    const RenderPlan& plan = *picture_->plan;
+    return pickMatter(plan, onFigure(position) * glm::dvec2(plan.size));
 }
 
 QSize Viewport::picturePixels() const {

@@ -3,6 +3,7 @@
 #include "core/figure/camera_moves.h"
 #include "core/figure/presets.h"
 #include "core/project/history.h"
+#include "renderer/pick.h"
 #include "widgets/gesture_key.h"
 #include "widgets/picture_feed.h"
 
@@ -40,6 +41,16 @@ class Viewport : public QWidget {
     [[nodiscard]] EdgeLetters letters() const;
     /// The sheet in the widget's coordinates.
     [[nodiscard]] QRectF sheet() const;
+    /// Figure coordinates, (0, 0) the sheet's top left corner and (1, 1) its bottom right, of a place of the widget;
+    /// and back.
+    [[nodiscard]] glm::dvec2 onFigure(QPointF position) const;
+    [[nodiscard]] QPointF onScreen(const glm::dvec2& place) const;
+    /// Where a point of the scan lies as a figure's camera sees it (tools may be ahead of the viewport); nothing behind
+    /// the eye.
+    [[nodiscard]] std::optional<QPointF> onScreen(const Figure& figure, const glm::dvec3& pointMm) const;
+    /// What one sees at a place of the shown picture; nothing where that is paper, or nothing is shown. Some tenths of
+    /// a millisecond.
+    [[nodiscard]] std::optional<Pick> pickAt(QPointF position) const;
 
     [[nodiscard]] QSize sizeHint() const override { return {760, 760}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {240, 240}; }

@@ -219,9 +219,7 @@ void WindowGallery::pickAt(QPointF position) {
     const auto& picture = parts_.viewport->picture();
     if (!picture || pickJob_)
         return;
-    const QRectF sheet = parts_.viewport->sheet();
-    const glm::dvec2 pixel((position.x() - sheet.left()) / sheet.width() * picture->plan->size.x,
-                           (position.y() - sheet.top()) / sheet.height() * picture->plan->size.y);
+    const glm::dvec2 pixel = parts_.viewport->onFigure(position) * glm::dvec2(picture->plan->size);
     auto found = std::make_shared<std::optional<StyleTarget>>();
     pickJob_ = new Job(
         tr("Looking at the picture"),

@@ -2,7 +2,6 @@
 
 #include "app/studio/action_table.h"
 #include "app/studio/studio_document.h"
-#include "renderer/pick.h"
 #include "widgets/measure_overlay.h"
 #include "widgets/point_mark.h"
 #include "widgets/slices_panel.h"
@@ -67,14 +66,9 @@ void WindowSlices::showMark() {
 }
 
 void WindowSlices::pickAt(QPointF position) {
-    const auto& shown = place_.viewport->picture();
-    if (!seen_ || !shown)
+    if (!seen_)
         return;
-    const RenderPlan& plan = *shown->plan;
-    const QRectF sheet = place_.viewport->sheet();
-    const glm::dvec2 place((position.x() - sheet.left()) / sheet.width(),
-                           (position.y() - sheet.top()) / sheet.height());
-    if (const auto pick = pickMatter(plan, place * glm::dvec2(plan.size))) {
+    if (const auto pick = place_.viewport->pickAt(position)) {
         panel_->setPoint(pick->pointMm);
         showMark();
     }

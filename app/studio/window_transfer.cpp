@@ -152,9 +152,7 @@ void WindowTransfer::pickAt(QPointF position) {
     const auto& picture = place_.viewport->picture();
     if (!picture)
         return;
-    const QRectF sheet = place_.viewport->sheet();
-    const glm::dvec2 pixel((position.x() - sheet.left()) / sheet.width() * picture->plan->size.x,
-                           (position.y() - sheet.top()) / sheet.height() * picture->plan->size.y);
+    const glm::dvec2 pixel = place_.viewport->onFigure(position) * glm::dvec2(picture->plan->size);
     auto found = std::make_shared<std::optional<Pick>>();
     picking_->want([found, pixel, plan = picture->plan](Task&) { *found = pickMatter(*plan, pixel); },
                    [this, found] { mark(*found); }, NewestJob::Running::complete);
