@@ -420,9 +420,7 @@ void TransferCanvas::dragMoveEvent(QDragMoveEvent* event) {
 void TransferCanvas::dropEvent(QDropEvent* event) {
     dropValue_.reset();
     update();
-    const std::string key = event->mimeData()->data(kStyleMime).toStdString();
-    const bool may = styles_ && transfer() && mayChange(*figure_, layer_);
-    const std::shared_ptr<const Style> style = may ? styles_(key) : nullptr;
+    const std::shared_ptr<const Style> style = droppedStyle(*event);
     if (!style)
         return;
     const auto handle = handleAt(event->position());

@@ -263,9 +263,7 @@ void TransferCanvas2d::dropEvent(QDropEvent* event) {
     dropNode_.reset();
     const auto node = nearestNode(event->position());
     update();
-    const std::string key = event->mimeData()->data(kStyleMime).toStdString();
-    const bool may = styles_ && transfer() && mayChange(*figure_, layer_);
-    const std::shared_ptr<const Style> style = may ? styles_(key) : nullptr;
+    const std::shared_ptr<const Style> style = droppedStyle(*event);
     if (!style)
         return;
     event->acceptProposedAction();

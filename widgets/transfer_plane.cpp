@@ -2,10 +2,13 @@
 
 #include "core/figure/layer_edits.h"
 #include "core/style/transfer_function.h"
+#include "widgets/style_mime.h"
 #include "widgets/tissue_hints.h"
 
+#include <QDropEvent>
 #include <QFontMetricsF>
 #include <QKeyEvent>
+#include <QMimeData>
 #include <QPainter>
 #include <QWheelEvent>
 
@@ -132,6 +135,12 @@ bool TransferPlane::zoomKey(const QKeyEvent& event) {
     case Qt::Key_Home: showAll(); return true;
     default: return false;
     }
+}
+
+std::shared_ptr<const Style> TransferPlane::droppedStyle(const QDropEvent& event) const {
+    const std::string key = event.mimeData()->data(kStyleMime).toStdString();
+    const bool may = styles_ && transfer() && mayChange(*figure_, layer_);
+    return may ? styles_(key) : nullptr;
 }
 
 void TransferPlane::emitTransfer(const Transfer& changed, const QString& label, const std::string& key, bool ongoing) {

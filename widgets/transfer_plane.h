@@ -90,6 +90,8 @@ class TransferPlane : public QWidget {
     void paintFocus(QPainter& painter) const;
     void paintBall(QPainter& painter, const TransferNode& node, QPointF centre, bool chosen);
 
+    /// The style that is dropped; null where there is none, or the layer may not change.
+    [[nodiscard]] std::shared_ptr<const Style> droppedStyle(const QDropEvent& event) const;
     /// Refused where the layer is locked.
     void emitTransfer(const Transfer& transfer, const QString& label, const std::string& key, bool ongoing);
 
