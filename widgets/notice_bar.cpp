@@ -1,5 +1,6 @@
 #include "widgets/notice_bar.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
@@ -39,7 +40,7 @@ NoticeBar::NoticeBar(QWidget* parent)
         expanded_ = !expanded_;
         display();
     });
-    setVisible(false);
+    display();
 }
 
 void NoticeBar::setNotices(const QStringList& lines, Kind kind) {
@@ -47,13 +48,27 @@ void NoticeBar::setNotices(const QStringList& lines, Kind kind) {
     lines_.removeDuplicates();
     then_ = nullptr;
     expanded_ = false;
+    kind_ = kind;
+    dress();
+    display();
+}
+
+void NoticeBar::dress() {
     QPalette colours = palette();
     const bool dark = parentWidget() && parentWidget()->palette().color(QPalette::Window).lightness() < 128;
     const QColor calm = dark ? QColor(0x2b, 0x3d, 0x52) : QColor(0xe4, 0xee, 0xf8);
     const QColor alarm = dark ? QColor(0x5a, 0x30, 0x2b) : QColor(0xfb, 0xe5, 0xdf);
-    colours.setColor(QPalette::Window, kind == Kind::problem ? alarm : calm);
+    const QColor wanted = kind_ == Kind::problem ? alarm : calm;
+    if (colours.color(QPalette::Window) == wanted)
+        return;
+    colours.setColor(QPalette::Window, wanted);
     setPalette(colours);
-    display();
+}
+
+void NoticeBar::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange)
+        dress(); // the window went from light to dark
+    QFrame::changeEvent(event);
 }
 
 void NoticeBar::offer(const QString& line, const QString& action, std::function<void()> then) {

@@ -27,10 +27,15 @@ class NoticeBar : public QFrame {
     [[nodiscard]] QToolButton* action() const { return action_; }
     [[nodiscard]] const QStringList& notices() const { return lines_; }
 
+  protected:
+    void changeEvent(QEvent* event) override;
+
   private:
     void display();
+    void dress(); ///< in the kind's colour, light or dark as the window is
 
     QStringList lines_;
+    Kind kind_ = Kind::information;
     bool expanded_ = false;
     std::function<void()> then_; ///< of an offer
     QLabel* text_;

@@ -3,6 +3,7 @@
 #include "app/studio/main_window.h"
 
 #include "app/studio/studio_theme.h"
+#include "support/qt/nameless_controls.h"
 #include "support/qt/qt_events.h"
 #include "widgets/artwork_canvas.h"
 #include "widgets/artwork_tool_bar.h"
@@ -299,16 +300,8 @@ TEST(Extraction, LettersChooseToolsButNotWhileTyping) {
 /// What cannot be looked through by eye: every control can be reached and has a name to be read out.
 TEST(Extraction, ControlsHaveNames) {
     Extracting on(false);
-    for (const QWidget* widget : on.dialog->findChildren<QWidget*>()) {
-        const bool taken = widget->focusPolicy() != Qt::NoFocus && widget->isVisibleTo(on.dialog);
-        const auto* button = qobject_cast<const QAbstractButton*>(widget);
-        const bool inner = widget->objectName().startsWith("qt_") || widget->inherits("QScrollArea") ||
-                           (widget->parentWidget() && widget->parentWidget()->inherits("QAbstractSpinBox"));
-        if (!taken || inner)
-            continue;
-        EXPECT_TRUE(!widget->accessibleName().isEmpty() || (button && !button->text().isEmpty()))
-            << widget->metaObject()->className();
-    }
+    for (const std::string& control : testing::namelessControls(*on.dialog))
+        ADD_FAILURE() << control;
 }
 
 } // namespace

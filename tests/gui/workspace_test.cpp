@@ -8,10 +8,12 @@
 #include "app/studio/window_slices.h"
 #include "app/studio/window_view.h"
 #include "app/studio/window_workspace.h"
+#include "support/qt/nameless_controls.h"
 #include "widgets/clip_form.h"
 #include "widgets/clip_overlay.h"
 #include "widgets/command_palette.h"
 #include "widgets/measure_overlay.h"
+#include "widgets/notice_bar.h"
 #include "widgets/picture_handle.h"
 #include "widgets/point_mark.h"
 #include "widgets/slices_panel.h"
@@ -59,7 +61,12 @@ TEST(Workspace, EveryCommandIsFoundByItsName) {
     EXPECT_TRUE(
         pumpUntil([&] { return studio.window->gallery().grab().toImage().pixelColor(2, 2).lightness() < 100; }, 5000));
     EXPECT_EQ(chosenStudioTheme(), StudioTheme::dark);
+    studio.window->notices().setNotices({"a line"}, NoticeBar::Kind::information);
+    EXPECT_LT(studio.window->notices().palette().color(QPalette::Window).lightness(), 100);
     workspace->useTheme(StudioTheme::light);
+    EXPECT_TRUE(
+        pumpUntil([&] { return studio.window->notices().palette().color(QPalette::Window).lightness() > 180; }, 5000))
+        << "a line that is shown changes with the window";
 }
 
 TEST(Welcome, SampleFiguresOfScansThatAreHereAreOpened) {
@@ -85,6 +92,13 @@ TEST(Welcome, SampleFiguresOfScansThatAreHereAreOpened) {
         EXPECT_FALSE(studio.window->document().dirty());
     }
     qunsetenv("LIMNER_SAMPLES");
+}
+
+TEST(Workspace, EveryControlHasAName) {
+    Studio studio;
+    ASSERT_TRUE(studio.openSample());
+    for (const std::string& control : testing::namelessControls(*studio.window))
+        ADD_FAILURE() << control;
 }
 
 TEST(Workspace, LayoutsAreKeptByName) {
