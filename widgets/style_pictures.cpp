@@ -2,6 +2,7 @@
 
 #include "renderer/backend.h"
 #include "renderer/export/picture_file.h"
+#include "renderer/marks/marked_picture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -84,7 +85,9 @@ QImage StylePictures::figure(const RenderPlan& shown, const Figure& changed, int
     PlanRequest request;
     request.size = sizeOf(figure, edgePixels);
     request.subPixels = 2;
-    const Picture picture = render(figures_, figure, request, task);
+    const auto plan = figures_.plan(figure, request, task);
+    const auto backend = makeCpuBackend();
+    const Picture picture = MarkedPicture(*plan, *backend, task).render({{0, 0}, request.size}, task).picture;
     const std::vector<std::uint8_t> rgba = toRgba8(picture, pictureOptions(figure));
     const glm::ivec2 size = picture.size();
     return QImage(rgba.data(), size.x, size.y, 4 * size.x, QImage::Format_RGBA8888).copy(); // the bytes are ours

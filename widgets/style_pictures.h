@@ -14,7 +14,8 @@ namespace limner {
 /// what planning throws.
 class StylePictures {
   public:
-    /// A figure of the shown scan, its longer side `edgePixels`, with its paper. Drawn plainer than the large picture.
+    /// A figure of the shown scan, its longer side `edgePixels`, with its paper and its ink. Drawn plainer than the
+    /// large picture.
     QImage figure(const RenderPlan& shown, const Figure& changed, int edgePixels, Task& task);
 
     /// Where the shown picture has what a style would go onto: a veil of the colour as strong as its share of each
