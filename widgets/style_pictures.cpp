@@ -2,7 +2,6 @@
 
 #include "renderer/backend.h"
 #include "renderer/export/picture_file.h"
-#include "renderer/marks/marked_picture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +20,7 @@ Figure plain(const RenderPlan& shown, const Figure& figure) {
         result.volume->data = shown.volume;
         result.cleanup.clear();
     }
+    result.annotations.clear(); // nobody reads them at this size
     result.quality.gradient = GradientEstimator::central;
     result.quality.interpolation = Interpolation::linear;
     result.quality.precision = VoxelPrecision::full;
@@ -85,12 +85,9 @@ QImage StylePictures::figure(const RenderPlan& shown, const Figure& changed, int
     PlanRequest request;
     request.size = sizeOf(figure, edgePixels);
     request.subPixels = 2;
-    const auto plan = figures_.plan(figure, request, task);
-    const auto backend = makeCpuBackend();
-    const Picture picture = MarkedPicture(*plan, *backend, task).render({{0, 0}, request.size}, task).picture;
-    const std::vector<std::uint8_t> rgba = toRgba8(picture, pictureOptions(figure));
-    const glm::ivec2 size = picture.size();
-    return QImage(rgba.data(), size.x, size.y, 4 * size.x, QImage::Format_RGBA8888).copy(); // the bytes are ours
+    // As a file of it would be: with its paper and its ink.
+    const auto png = renderPng(*figures_.plan(figure, request, task), *makeCpuBackend(), pictureOptions(figure), task);
+    return QImage::fromData(reinterpret_cast<const uchar*>(png.data()), static_cast<int>(png.size()), "PNG");
 }
 
 QImage StylePictures::reach(const RenderPlan& shown, const StyleTarget& target, const QColor& colour, Task& task) {

@@ -83,6 +83,7 @@ void WelcomePage::buildLists(QVBoxLayout* column) {
     section(figuresBox_, tr("Sample figures"))->addWidget(figures_);
     figures_->setFixedHeight(kFiguresHeight);
     figures_->setFrameShape(QFrame::NoFrame);
+    figures_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // long titles end in dots, the tip has them whole
     figures_->setAccessibleName(tr("Sample figures"));
     figures_->setToolTip(
         tr("Figures that come with Limner, on the head CT of this machine; Enter or a double click opens"));
@@ -95,6 +96,7 @@ void WelcomePage::setFigures(const std::vector<SampleFigure>& figures) {
     for (const SampleFigure& figure : figures) {
         auto* item = new QListWidgetItem(QString::fromStdString(figure.title), figures_);
         item->setData(Qt::UserRole, QString::fromStdString(figure.id));
+        item->setToolTip(item->text());
     }
     figuresBox_->setVisible(!figures.empty());
 }
