@@ -8,12 +8,10 @@
 #include "widgets/tissue_hints.h"
 
 #include <QContextMenuEvent>
-#include <QHelpEvent>
 #include <QLineF>
 #include <QMenu>
 #include <QMimeData>
 #include <QMouseEvent>
-#include <QToolTip>
 
 #include <algorithm>
 #include <cmath>
@@ -441,26 +439,22 @@ void TransferCanvas::dropEvent(QDropEvent* event) {
     select(chosen);
 }
 
+QString TransferCanvas::handleTip(QPointF position) const {
+    const auto handle = handleAt(position);
+    return handle ? describe(*handle) : QString();
+}
+
+QString TransferCanvas::advice() const {
+    return tr("Drag points and styles. Double click adds a point, Delete or the right button removes. The wheel zooms, "
+              "the middle button moves the ruler; a double click on the ruler fits it to the data.");
+}
+
 bool TransferCanvas::event(QEvent* event) {
-    if (event->type() == QEvent::ToolTip) {
-        const auto* help = static_cast<QHelpEvent*>(event);
-        const auto handle = handleAt(help->pos());
-        const TissueHint* hint = hintAt(help->pos());
-        const QString text = handle ? describe(*handle)
-                             : hint ? tr("%1. A click shows it.").arg(tissueWords(*hint))
-                             : transfer()
-                                 ? tr("Drag points and styles. Double click adds a point, Delete or the right button "
-                                      "removes. The wheel zooms, the middle button moves the ruler; a double click on "
-                                      "the ruler fits it to the data.")
-                                 : QString();
-        QToolTip::showText(help->globalPos(), text, this);
-        return true;
-    }
     if (event->type() == QEvent::DragLeave || event->type() == QEvent::Leave) {
         dropValue_.reset();
         update();
     }
-    return QWidget::event(event);
+    return TransferPlane::event(event);
 }
 
 QString TransferCanvas::describe(const Handle& handle) const {

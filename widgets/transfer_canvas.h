@@ -59,6 +59,8 @@ class TransferCanvas : public TransferPlane {
     void dragMoveEvent(QDragMoveEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     bool event(QEvent* event) override;
+    [[nodiscard]] QString handleTip(QPointF position) const override;
+    [[nodiscard]] QString advice() const override;
     [[nodiscard]] QRectF plot() const override;
 
   private:

@@ -95,6 +95,8 @@ class TransferCanvas2d : public TransferPlane {
     void dragMoveEvent(QDragMoveEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     bool event(QEvent* event) override;
+    [[nodiscard]] QString handleTip(QPointF position) const override;
+    [[nodiscard]] QString advice() const override;
 
     [[nodiscard]] QRectF plot() const override;
     void zoomAt(QPointF position, double factor) override;

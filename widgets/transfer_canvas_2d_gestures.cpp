@@ -7,12 +7,10 @@
 #include "widgets/transfer_canvas_2d.h"
 
 #include <QContextMenuEvent>
-#include <QHelpEvent>
 #include <QLineF>
 #include <QMenu>
 #include <QMimeData>
 #include <QMouseEvent>
-#include <QToolTip>
 
 #include <algorithm>
 #include <cmath>
@@ -272,21 +270,18 @@ void TransferCanvas2d::dropEvent(QDropEvent* event) {
     select(node);
 }
 
+QString TransferCanvas2d::handleTip(QPointF position) const {
+    const auto handle = handleAt(position);
+    return handle ? describe(*handle) : QString();
+}
+
+QString TransferCanvas2d::advice() const {
+    return tr(
+        "Draw shapes with the tools, drag them and their handles. A double click on a polygon adds a point. Balls "
+        "are the styles: one moves its column and its row. The wheel zooms, the middle button moves the plane.");
+}
+
 bool TransferCanvas2d::event(QEvent* event) {
-    if (event->type() == QEvent::ToolTip) {
-        const auto* help = static_cast<QHelpEvent*>(event);
-        const auto handle = handleAt(help->pos());
-        const TissueHint* hint = hintAt(help->pos());
-        const QString text = handle ? describe(*handle)
-                             : hint ? tr("%1. A click shows it.").arg(tissueWords(*hint))
-                             : transfer()
-                                 ? tr("Draw shapes with the tools, drag them and their handles. A double click on a "
-                                      "polygon adds a point. Balls are the styles: one moves its column and its row. "
-                                      "The wheel zooms, the middle button moves the plane.")
-                                 : QString();
-        QToolTip::showText(help->globalPos(), text, this);
-        return true;
-    }
     if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape &&
         tool_ != PlaneTool::select) {
         event->accept(); // not the window's
@@ -299,7 +294,7 @@ bool TransferCanvas2d::event(QEvent* event) {
         pointer_ = QPointF(-1, -1); // no brush is in the hand
         update();
     }
-    return QWidget::event(event);
+    return TransferPlane::event(event);
 }
 
 QString TransferCanvas2d::describe(const Handle& handle) const {

@@ -7,9 +7,11 @@
 
 #include <QDropEvent>
 #include <QFontMetricsF>
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMimeData>
 #include <QPainter>
+#include <QToolTip>
 #include <QWheelEvent>
 
 #include <cmath>
@@ -135,6 +137,17 @@ bool TransferPlane::zoomKey(const QKeyEvent& event) {
     case Qt::Key_Home: showAll(); return true;
     default: return false;
     }
+}
+
+bool TransferPlane::event(QEvent* event) {
+    if (event->type() != QEvent::ToolTip)
+        return QWidget::event(event);
+    const auto* help = static_cast<QHelpEvent*>(event);
+    QString text = handleTip(help->pos());
+    if (const TissueHint* hint = hintAt(help->pos()); hint && text.isEmpty())
+        text = tr("%1. A click shows it.").arg(tissueWords(*hint));
+    QToolTip::showText(help->globalPos(), text.isEmpty() && transfer() ? advice() : text, this);
+    return true;
 }
 
 std::shared_ptr<const Style> TransferPlane::droppedStyle(const QDropEvent& event) const {

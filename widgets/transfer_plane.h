@@ -59,6 +59,12 @@ class TransferPlane : public QWidget {
 
   protected:
     void wheelEvent(QWheelEvent* event) override;
+    /// Shows the tips.
+    bool event(QEvent* event) override;
+    /// What is said of the handle at a place; empty: there is none.
+    [[nodiscard]] virtual QString handleTip(QPointF position) const = 0;
+    /// What can be done here, where nothing else is to be said.
+    [[nodiscard]] virtual QString advice() const = 0;
 
     [[nodiscard]] virtual QRectF plot() const = 0;
     /// Zooms about a place of the widget.

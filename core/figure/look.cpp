@@ -12,6 +12,15 @@ namespace {
 constexpr const char* kLookPointer = "/look"; // of a member that figures at large do not have
 constexpr int kBins = 4096;
 
+void copyLook(const Figure& from, Figure& to) {
+    to.styles = from.styles;
+    to.layers = from.layers;
+    to.importance = from.importance;
+    to.depthCues = from.depthCues;
+    to.stipple = from.stipple;
+    to.background = from.background;
+}
+
 /// What a scan's values are like: enough to carry positions over to another scan.
 struct Values {
     std::string unit;
@@ -89,12 +98,7 @@ void carryOver(Figure& result, const Figure& look, std::vector<std::string>& not
 Figure lookOf(const Figure& figure) {
     Figure look;
     look.title = figure.title;
-    look.styles = figure.styles;
-    look.layers = figure.layers;
-    look.importance = figure.importance;
-    look.depthCues = figure.depthCues;
-    look.stipple = figure.stipple;
-    look.background = figure.background;
+    copyLook(figure, look);
     for (Layer& layer : look.layers) {
         layer.clip.reset();
         layer.solo = layer.locked = false;
@@ -109,12 +113,7 @@ Figure lookOf(const Figure& figure) {
 
 Figure withLook(const Figure& figure, const Figure& look, std::vector<std::string>& notes) {
     Figure result = figure;
-    result.styles = look.styles;
-    result.layers = look.layers;
-    result.importance = look.importance;
-    result.depthCues = look.depthCues;
-    result.stipple = look.stipple;
-    result.background = look.background;
+    copyLook(look, result);
     carryOver(result, look, notes);
     return result;
 }

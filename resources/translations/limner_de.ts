@@ -6667,10 +6667,6 @@ Label %2, %3 Voxel</translation>
         <translation>Verlauf der Kurve ändern</translation>
     </message>
     <message>
-        <source>%1. A click shows it.</source>
-        <translation>%1. Ein Klick zeigt es.</translation>
-    </message>
-    <message>
         <source>Drag points and styles. Double click adds a point, Delete or the right button removes. The wheel zooms, the middle button moves the ruler; a double click on the ruler fits it to the data.</source>
         <translation>Punkte und Stile ziehen. Doppelklick fügt einen Punkt hinzu, Entf oder die rechte Taste entfernt. Das Mausrad zoomt, die mittlere Taste verschiebt das Lineal; Doppelklick auf das Lineal passt es an die Daten an.</translation>
     </message>
@@ -6780,10 +6776,6 @@ Label %2, %3 Voxel</translation>
     <message>
         <source>Replace style</source>
         <translation>Stil ersetzen</translation>
-    </message>
-    <message>
-        <source>%1. A click shows it.</source>
-        <translation>%1. Ein Klick zeigt es.</translation>
     </message>
     <message>
         <source>Draw shapes with the tools, drag them and their handles. A double click on a polygon adds a point. Balls are the styles: one moves its column and its row. The wheel zooms, the middle button moves the plane.</source>
@@ -7124,6 +7116,10 @@ Label %2, %3 Voxel</translation>
     <message>
         <source>1/mm</source>
         <translation>1/mm</translation>
+    </message>
+    <message>
+        <source>%1. A click shows it.</source>
+        <translation>%1. Ein Klick zeigt es.</translation>
     </message>
 </context>
 <context>
