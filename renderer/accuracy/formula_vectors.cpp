@@ -2,7 +2,7 @@
 
 #include "renderer/accuracy/formula_calls.h"
 #include "renderer/cpu/formulas.h"
-#include "renderer/cpu/kernel_scene.h"
+#include "renderer/cpu/kernel.h"
 
 #include <algorithm>
 #include <cmath>

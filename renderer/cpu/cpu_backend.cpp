@@ -1,6 +1,7 @@
 #include "renderer/backend.h"
-#include "renderer/cpu/scene_builder.h"
+#include "renderer/cpu/kernel.h"
 #include "renderer/plan/plan_importance.h"
+#include "renderer/scene/scene_builder.h"
 
 #include <tbb/parallel_for.h>
 

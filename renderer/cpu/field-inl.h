@@ -6,7 +6,7 @@
 #define LIMNER_FIELD_INL_H
 #endif
 
-#include "renderer/cpu/kernel_scene.h"
+#include "renderer/cpu/kernel.h"
 #include "renderer/cpu/lanes-inl.h"
 #include "renderer/cpu/taps-inl.h"
 

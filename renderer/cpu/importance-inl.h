@@ -8,6 +8,8 @@
 
 #include "renderer/cpu/measures-inl.h" // names the target: before the formulas
 
+#include "renderer/cpu/kernel.h"
+
 #include "core/optics/importance.h"
 
 #include <cmath>

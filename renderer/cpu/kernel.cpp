@@ -1,4 +1,4 @@
-#include "renderer/cpu/kernel_scene.h"
+#include "renderer/cpu/kernel.h"
 
 #include <hwy/targets.h>
 

@@ -6,8 +6,8 @@
 #define LIMNER_STYLE_INL_H
 #endif
 
-#include "renderer/cpu/kernel_scene.h"
 #include "renderer/cpu/lanes-inl.h"
+#include "renderer/scene/kernel_scene.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace limner::HWY_NAMESPACE {

@@ -8,8 +8,8 @@
 #endif
 
 #include "core/volume/volume.h"
-#include "renderer/cpu/kernel_scene.h"
 #include "renderer/cpu/lanes-inl.h"
+#include "renderer/scene/kernel_scene.h"
 
 #include <type_traits>
 

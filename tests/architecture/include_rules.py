@@ -47,7 +47,7 @@ RULES = {
     "renderer": (("core", "renderer"), {"glm"}, {"tbb", "hwy"}),
     "renderer/accuracy": (("core", "renderer"), {"glm"}, {"tbb", "json", "files"}),
     "renderer/cpu": (("core", "renderer"), {"glm", "hwy"}, {"tbb"}),
-    "renderer/gl": (("core", "renderer"), {"glm"}, {"gl", "tbb"}),
+    "renderer/gl": (("core", "renderer"), {"glm", "gl"}, {"tbb", "system"}),
     "renderer/export": (("core", "renderer"), {"glm"}, {"tbb", "oiio", "lcms", "qt", "zlib", "system", "files"}),
     "renderer/text": (("core", "renderer/text"), {"glm"}, {"fonts"}),
     "renderer/distributed": (("core", "renderer"), {"glm"}, {"tbb", "mpi", "system"}),

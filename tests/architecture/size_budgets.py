@@ -78,7 +78,7 @@ def problems_of(root, path):
 
 def is_private(path):
     """Headers of a backend's inside: only their own folder may include them."""
-    return path.parts[:2] in {("renderer", "cpu"), ("renderer", "gl"), ("renderer", "reference")}
+    return path.parts[:2] in {("renderer", "cpu"), ("renderer", "gl"), ("renderer", "reference"), ("renderer", "scene")}
 
 
 def check(root):

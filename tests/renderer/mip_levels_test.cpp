@@ -1,6 +1,6 @@
 // Mip levels of lit spheres (spec style-transfer-functions.md 7): far or shrunken objects must not sparkle.
 #include "core/volume/phantom.h"
-#include "renderer/cpu/kernel_scene.h"
+#include "renderer/cpu/kernel.h"
 #include "support/rendering.h"
 #include "support/transfer_scenes.h"
 

@@ -1,4 +1,4 @@
-#include "renderer/cpu/kernel_scene.h"
+#include "renderer/cpu/kernel.h"
 #include "support/rendering.h"
 #include "support/transfer_scenes.h"
 

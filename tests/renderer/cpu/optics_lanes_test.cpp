@@ -41,7 +41,7 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 
-#include "renderer/cpu/kernel_scene.h"
+#include "renderer/cpu/kernel.h"
 
 #include <gtest/gtest.h>
 

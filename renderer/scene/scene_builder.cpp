@@ -1,4 +1,4 @@
-#include "renderer/cpu/scene_builder.h"
+#include "renderer/scene/scene_builder.h"
 
 #include "core/base/error.h"
 #include "core/optics/measures.h"
@@ -14,13 +14,6 @@
 #include <limits>
 
 namespace limner {
-
-namespace {
-
-/// Unit of the kernel's interpolated values (Field::kScale).
-double kernelScale(VoxelType type) { return type == VoxelType::float32 ? 1.0 : 32767.0; }
-
-} // namespace
 
 BuiltScene::BuiltScene(const RenderPlan& plan) {
     setVolume(plan);

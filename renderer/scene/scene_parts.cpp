@@ -1,4 +1,4 @@
-#include "renderer/cpu/scene_builder.h"
+#include "renderer/scene/scene_builder.h"
 
 #include "core/base/error.h"
 #include "core/style/ramps.h"

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "renderer/cpu/kernel_scene.h"
 #include "renderer/plan/importance_bricks.h"
 #include "renderer/plan/render_plan.h"
+#include "renderer/scene/kernel_scene.h"
 
 #include <deque>
 #include <optional>

@@ -1,0 +1,12 @@
+# cmake -DFOLDER=... -DOUT=... -P: the shader files of a folder as one source, so that the program needs no files.
+file(GLOB files ${FOLDER}/*.glsl ${FOLDER}/*.vert ${FOLDER}/*.frag)
+list(SORT files)
+set(text "#include \"renderer/gl/program_source.h\"\n\n#include <array>\n\nnamespace limner::gl {\n\nnamespace {\n\n")
+string(APPEND text "constexpr auto kFiles = std::to_array<FeatureFile>({\n")
+foreach(file IN LISTS files)
+  get_filename_component(name ${file} NAME)
+  file(READ ${file} content)
+  string(APPEND text "    {\"${name}\", R\"glsl(${content})glsl\"},\n")
+endforeach()
+string(APPEND text "});\n\n} // namespace\n\nstd::span<const FeatureFile> featureFiles() { return kFiles; }\n\n} // namespace limner::gl\n")
+file(WRITE ${OUT} "${text}")
