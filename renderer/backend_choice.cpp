@@ -1,6 +1,7 @@
 #include "renderer/backend_choice.h"
 
 #include "core/base/error.h"
+#include "renderer/gl/gl_backend.h"
 
 namespace limner {
 
@@ -17,8 +18,7 @@ std::unique_ptr<Backend> makeBackend(const std::string& name) {
         return makeReferenceBackend();
     }
     if (name == "gl") {
-        throw Error(ErrorKind::noOpenGl, {"cannot render with OpenGL", "", "this version has no OpenGL backend",
-                                          "use the backend cpu, which draws the same picture"});
+        return makeGlBackend(gl::contextFactory("auto"));
     }
     throw Error(ErrorKind::usage, {"there is no such backend", name, "", "use auto, cpu, gl or reference"});
 }

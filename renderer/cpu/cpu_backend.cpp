@@ -2,6 +2,7 @@
 #include "renderer/cpu/kernel.h"
 #include "renderer/plan/plan_importance.h"
 #include "renderer/scene/scene_builder.h"
+#include "renderer/scene/sub_pixels.h"
 
 #include <tbb/parallel_for.h>
 
@@ -58,33 +59,6 @@ struct BlockImportance {
     }
 };
 
-/// Averages a block's sub-pixels into the pixels of the tile that it covers.
-void resolveBlock(const float* block, glm::ivec2 blockCorner, int subPixels, const Tile& tile, Picture& picture) {
-    const int pixels = KernelBlock::kSize / subPixels;
-    const glm::ivec2 corner = blockCorner / subPixels;
-    const float share = 1.0F / static_cast<float>(subPixels * subPixels);
-    for (int y = 0; y < pixels; ++y) {
-        for (int x = 0; x < pixels; ++x) {
-            const glm::ivec2 at = corner + glm::ivec2(x, y) - tile.origin;
-            if (at.x < 0 || at.y < 0 || at.x >= tile.size.x || at.y >= tile.size.y) {
-                continue;
-            }
-            float sum[4] = {};
-            for (int sub = 0; sub < subPixels * subPixels; ++sub) {
-                const int row = y * subPixels + sub / subPixels;
-                const float* from = block + 4 * (row * KernelBlock::kSize + x * subPixels + sub % subPixels);
-                for (int c = 0; c < 4; ++c) {
-                    sum[c] += from[c];
-                }
-            }
-            float* to = picture.pixel(at.x, at.y);
-            for (int c = 0; c < 4; ++c) {
-                to[c] = sum[c] * share;
-            }
-        }
-    }
-}
-
 class CpuBackend : public Backend {
   public:
     [[nodiscard]] std::string name() const override { return "cpu"; }
@@ -115,7 +89,9 @@ class CpuBackend : public Backend {
             castBlock(built.scene(), block, rgba, counts);
             samples += counts.samples;
             shaded += counts.shaded;
-            resolveBlock(rgba, corner, plan.subPixels, tile, result.picture);
+            constexpr int kSize = KernelBlock::kSize;
+            const SubPixels rays{rgba, kSize, corner, glm::ivec2(kSize / plan.subPixels), plan.subPixels};
+            averageSubPixels(rays, tile, result.picture);
         });
         task.throwIfCancelled();
         result.samples = samples;

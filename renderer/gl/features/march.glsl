@@ -1,0 +1,138 @@
+// The march along a ray: skip empty space, sample, shade, compose.
+uniform usampler3D distances; // blocks to the nearest one that can contribute
+uniform vec2 entryOfStored;   // entry of the value's table = stored * x + y
+uniform vec2 visibleEntries;  // up to the first and from the second on nothing shows
+uniform int visibility;       // table
+uniform ivec3 pageLow;  // cells whose samples are this pass's
+uniform ivec3 pageHigh;
+
+layout(location = 0) out vec4 picture;
+layout(location = 1) out vec4 rayState; // exponential, optical depth (-1 - it: done), samples, shaded
+
+#if PAGED
+uniform sampler2D picturePassed;
+uniform sampler2D rayStatePassed;
+uniform int lastPass;
+#endif
+
+const int kBurst = 4;          // steps between two looks at the skip grid
+const float kBlockCells = 4.0; // along an edge of a block
+
+vec3 positionAt(Ray ray, float s) { return min(ray.start + ray.step * s, lastCell); }
+
+/// The stretch of the lattice's sample k that is inside the visible part: begin and length, in steps.
+vec2 segmentAt(Ray ray, float k) {
+    float begin = max(k, ray.first);
+    return vec2(begin, min(k + 1.0, ray.end) - begin);
+}
+
+/// The next sample past the empty space around sample k; k itself where its block can contribute.
+float pastEmpty(Ray ray, float k) {
+    vec2 part = segmentAt(ray, k);
+    float s = part.x + part.y * phase;
+    vec3 q = positionAt(ray, s);
+    vec3 block = floor(q / kBlockCells);
+    float away = float(texelFetch(distances, ivec3(block), 0).r);
+    vec3 wall = mix(block - away + 1.0, block + away, greaterThan(ray.step, vec3(0.0)));
+    vec3 leave = (wall * kBlockCells - q) * ray.inverse;
+    float next = floor(s + min(leave.x, min(leave.y, leave.z)) - phase) + 1.0;
+    return away > 0.0 ? max(next, k + 1.0) : k;
+}
+
+bool isOwn(vec3 q) {
+#if PAGED
+    ivec3 cell = ivec3(q);
+    return all(greaterThanEqual(cell, pageLow)) && all(lessThan(cell, pageHigh));
+#else
+    return true;
+#endif
+}
+
+/// Looks up sample k; whether it can be seen.
+bool look(Ray ray, float k, out Sample found) {
+    vec2 part = segmentAt(ray, k);
+    found.part = part.y;
+    found.q = positionAt(ray, part.x + part.y * phase);
+    found.entry = fieldAt(found.q) * entryOfStored.x + entryOfStored.y;
+#if SPLINE
+    found.entry = clamp(found.entry, 0.0, lastEntry);
+#endif
+    bool inRange = found.entry > visibleEntries.x && found.entry < visibleEntries.y && isOwn(found.q);
+    found.entry = max(found.entry, 0.0);
+    return inRange && readTable(visibility, found.entry) > 0.0;
+}
+
+#if PAGED
+/// Cuts a ray to the samples that can lie in the page, one more at both ends: each is asked whether it does.
+void cutToPage(Ray ray, inout float k, inout float end) {
+    vec3 a = (vec3(pageLow) - ray.start) * ray.inverse;
+    vec3 b = (vec3(pageHigh) - ray.start) * ray.inverse;
+    vec3 low = min(a, b);
+    vec3 high = max(a, b);
+    k = max(k, floor(max(low.x, max(low.y, low.z))) - 1.0);
+    // The last cell's samples may stand on its far side: what is past the volume is the last page's.
+    end = min(end, ceil(min(high.x, min(high.y, high.z))) + 2.0);
+}
+#endif
+
+void main() {
+    Ray ray = rayOf(gl_FragCoord.xy - float(kHalfTile));
+    Pixel pixel = beginPixel();
+    vec2 counts = vec2(0.0);
+    float k = floor(ray.first);
+    float end = ceil(ray.end);
+#if PAGED
+    vec4 passed = texelFetch(rayStatePassed, ivec2(gl_FragCoord.xy), 0);
+    pixel = resumePixel(texelFetch(picturePassed, ivec2(gl_FragCoord.xy), 0), passed.xy);
+    counts = passed.zw;
+    cutToPage(ray, k, end);
+#endif
+    bool more = ray.first < ray.end && k < end && !isDone(pixel);
+#if MARCH_THEN_SHADE
+    // Where both sides of a branch are run for all rays of a vector, shading waits until each of them has a sample.
+    while (more) {
+        Sample found;
+        bool seen = false;
+        while (k < end && !seen) {
+            float next = pastEmpty(ray, k);
+            while (next > k && next < end) {
+                k = next;
+                next = pastEmpty(ray, k);
+            }
+            k = next;
+            for (int i = 0; i < kBurst && k < end && !seen; ++i) {
+                seen = look(ray, k, found);
+                counts.x += 1.0;
+                k += 1.0;
+            }
+        }
+        if (seen) {
+            counts.y += 1.0;
+            addSample(pixel, ray, found);
+        }
+        more = k < end && !isDone(pixel);
+    }
+#else
+    while (more) {
+        float next = pastEmpty(ray, k);
+        if (next > k) {
+            k = next;
+        } else {
+            Sample found;
+            counts.x += 1.0;
+            if (look(ray, k, found)) {
+                counts.y += 1.0;
+                addSample(pixel, ray, found);
+            }
+            k += 1.0;
+        }
+        more = k < end && !isDone(pixel);
+    }
+#endif
+#if PAGED
+    picture = lastPass != 0 ? finished(pixel) : pixel.rgba;
+#else
+    picture = finished(pixel);
+#endif
+    rayState = vec4(stateOf(pixel), counts);
+}

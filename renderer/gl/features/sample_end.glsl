@@ -1,0 +1,4 @@
+#if IMPORTANCE
+    endWhereCertain(pixel, found.q);
+#endif
+}
