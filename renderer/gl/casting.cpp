@@ -131,7 +131,6 @@ class Casting {
 
     Target makeTarget() {
         const TextureForm form{GL_TEXTURE_2D, GL_RGBA32F, GL_RGBA, GL_FLOAT, GL_NEAREST, {kTile, kTile, 1}};
-        gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(device_.facts().textureUnits) - 1); // not a unit in use
         Target target{device_.makeTexture(form), device_.makeTexture(form), Framebuffer(gl_)};
         gl_.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.id());
         gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.colours.id(), 0);
@@ -211,7 +210,6 @@ class Casting {
             }
         });
         const TextureForm form{GL_TEXTURE_2D, GL_R32F, GL_RED, GL_FLOAT, GL_NEAREST, {kTile, kTile, 1}};
-        gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(device_.facts().textureUnits) - 1);
         weights_ = device_.makeTexture(form);
         gl_.TexImage2D(GL_TEXTURE_2D, 0, form.inside, kTile, kTile, 0, form.format, form.type, weights.data());
         units_->bind("weights", GL_TEXTURE_2D, weights_.id());
@@ -250,7 +248,7 @@ class Casting {
 
     /// The mean of a target whose edge is a power of two is its smallest mip level.
     void count(const Target& target, RenderResult& result) {
-        gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(device_.facts().textureUnits) - 1);
+        device_.useSpareUnit();
         gl_.BindTexture(GL_TEXTURE_2D, target.state.id());
         gl_.GenerateMipmap(GL_TEXTURE_2D);
         std::array<float, 4> mean{};

@@ -11,19 +11,28 @@ namespace {
 /// Where nothing tells how much memory a card has: what every card of the last ten years has.
 constexpr std::uint64_t kUsualRoom = std::uint64_t{1} << 31U;
 
-/// What NVIDIA's and AMD's extensions say is there, KiB; 0: unknown.
+bool hasExtension(const Functions& gl, const std::string& name) {
+    GLint count = 0;
+    gl.GetIntegerv(GL_NUM_EXTENSIONS, &count);
+    for (GLint i = 0; i < count; ++i) {
+        if (name == reinterpret_cast<const char*>(gl.GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// What NVIDIA's and AMD's extensions say is there; 0: unknown.
 std::uint64_t memoryOf(const Functions& gl) {
     constexpr GLenum kTotalNvidia = 0x9047; // GPU_MEMORY_INFO_DEDICATED_VIDMEM_NVX
     constexpr GLenum kFreeAmd = 0x87FC;     // TEXTURE_FREE_MEMORY_ATI
-    std::uint64_t kib = 0;
-    for (const GLenum name : {kTotalNvidia, kFreeAmd}) {
-        GLint values[4] = {};
-        gl.GetIntegerv(name, values);
-        if (gl.GetError() == GL_NO_ERROR && kib == 0 && values[0] > 0) {
-            kib = static_cast<std::uint64_t>(values[0]);
-        }
+    GLint kib[4] = {};
+    if (hasExtension(gl, "GL_NVX_gpu_memory_info")) {
+        gl.GetIntegerv(kTotalNvidia, kib);
+    } else if (hasExtension(gl, "GL_ATI_meminfo")) {
+        gl.GetIntegerv(kFreeAmd, kib);
     }
-    return kib * 1024;
+    return static_cast<std::uint64_t>(kib[0]) * 1024;
 }
 
 void APIENTRY keepComplaint(GLenum /*source*/, GLenum type, GLuint /*id*/, GLenum /*severity*/, GLsizei length,
@@ -114,7 +123,12 @@ void Device::drop(std::map<Key, Resident>::iterator which) {
     textures_.erase(which);
 }
 
+void Device::useSpareUnit() const {
+    gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(facts_.textureUnits) - 1);
+}
+
 Texture Device::makeTexture(const TextureForm& form) const {
+    useSpareUnit();
     Texture texture(gl_);
     gl_.BindTexture(form.target, texture.id());
     gl_.TexParameteri(form.target, GL_TEXTURE_MIN_FILTER, form.filter);

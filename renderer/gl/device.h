@@ -55,7 +55,10 @@ class Device {
     [[nodiscard]] std::uint64_t room() const { return room_; }
     [[nodiscard]] std::uint64_t used() const { return used_; }
 
-    /// A new texture, bound, with its parameters and without texels.
+    /// Makes the last texture unit the active one: no shader reads it, so what is bound there to be filled replaces
+    /// nothing.
+    void useSpareUnit() const;
+    /// A new texture, bound to the spare unit, with its parameters and without texels.
     Texture makeTexture(const TextureForm& form) const;
     /// What the driver has called an error so far, its own words; where it tells them (KHR_debug).
     [[nodiscard]] const std::vector<std::string>& complaints() const { return complaints_; }

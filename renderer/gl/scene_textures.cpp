@@ -103,6 +103,7 @@ Texture bufferTexture(const Functions& gl, const Buffer& buffer, GLenum format) 
 void uploadAtlas(const Device& device, const StyleAtlas& atlas, bool levels, Texture& texture) {
     const Functions& gl = device.gl();
     const auto count = levels ? static_cast<int>(atlas.levelStart.size()) : 1;
+    device.useSpareUnit();
     texture = Texture(gl);
     gl.BindTexture(GL_TEXTURE_2D_ARRAY, texture.id());
     gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, count > 1 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
@@ -137,7 +138,7 @@ void uploadCue(const Device& device, const CueField& cue, Texture& texture) {
 
 void TextureUnits::bind(const std::string& uniform, GLenum target, GLuint texture) {
     const auto found = units_.emplace(uniform, static_cast<int>(units_.size())).first;
-    if (found->second >= device_.facts().textureUnits) {
+    if (found->second + 1 >= device_.facts().textureUnits) {
         throw Error(ErrorKind::noOpenGl, {"this figure cannot be drawn with OpenGL", "",
                                           "it reads more fields than the card has texture units",
                                           "use the backend cpu"});
@@ -154,6 +155,7 @@ SceneTextures::SceneTextures(Device& device, const RenderPlan& plan, const Scene
         throw Error(ErrorKind::noOpenGl, {"this figure cannot be drawn with OpenGL", "",
                                           "its tables are larger than the card's", "use the backend cpu"});
     }
+    device.useSpareUnit();
     numbers_ = bufferOf(gl, tables.numbers.data(), tables.numbers.size() * sizeof(float));
     colours_ = bufferOf(gl, tables.colours.data(), tables.colours.size() * sizeof(glm::vec4));
     numbersTexture_ = bufferTexture(gl, numbers_, GL_R32F);

@@ -1,12 +1,9 @@
-#include "core/figure/figure_json.h"
-#include "core/project/project.h"
 #include "core/project/sample_figures.h"
-#include "core/volume/phantom.h"
 #include "renderer/backend.h"
 #include "renderer/export/picture_file.h"
 #include "renderer/marks/marked_picture.h"
 #include "renderer/plan/planner.h"
-#include "support/test_data.h"
+#include "support/golden_cases.h"
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
@@ -16,8 +13,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <optional>
-#include <sstream>
 
 namespace limner {
 namespace {
@@ -25,56 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kPixels = 256; // big enough for teeth and vessels, small enough to keep beside the code
-constexpr int kVoxels = 128;
-
-std::string textOf(const fs::path& path) {
-    std::ostringstream text;
-    text << std::ifstream(path).rdbuf();
-    return text.str();
-}
-
-/// The figure of a case: its own, or the bundled sample figure of its name.
-fs::path figureOf(const fs::path& folder) {
-    const fs::path own = folder / "figure.json";
-    return fs::exists(own) ? own : findSampleFigure(folder.filename().string()).file;
-}
-
-/// Where a scan or label file that a figure names lies; nothing, and a counted word about it, where it is absent.
-std::optional<fs::path> scanNamed(const std::string& name) {
-    const fs::path sample = fs::path("/usr/share/doc/invesalius-examples/examples") / name; // Debian's sample CT
-    return fs::exists(sample) ? sample : testing::testData("volumes/" + name);
-}
-
-/// The case's figure with everything in place; nothing where its scan is absent.
-std::optional<Figure> loadCase(const fs::path& folder) {
-    const fs::path file = figureOf(folder);
-    Document document{readFigure(textOf(file), file.string()), {}, {}, {}};
-    Figure& figure = document.figure;
-    if (figure.volume->path == "builtin:head") {
-        static const auto head = makeHeadPhantom(kVoxels);
-        figure.volume->data = head;
-    } else if (const auto scan = scanNamed(figure.volume->path)) {
-        figure.volume->path = scan->string();
-    } else {
-        return std::nullopt;
-    }
-    if (figure.labels) {
-        const auto labels = scanNamed(figure.labels->path);
-        if (!labels) {
-            return std::nullopt;
-        }
-        figure.labels->path = labels->string();
-    }
-    Task task;
-    resolveFigure(document, file.parent_path(), {}, task);
-    for (const std::string& note : document.notes) {
-        ADD_FAILURE() << note;
-    }
-    for (const Problem& problem : validateFigure(figure)) {
-        EXPECT_FALSE(problem.fatal) << problem.pointer << ": " << problem.why;
-    }
-    return figure;
-}
 
 /// The picture before its background, 0..1, three numbers a pixel.
 std::vector<float> draw(const Figure& figure) {
@@ -137,10 +82,10 @@ KeptPicture reduced(const std::vector<float>& drawn, int pixels) {
 class Golden : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Golden, LooksAsExpected) {
-    const fs::path folder = fs::path(LIMNER_SOURCE_DIR) / "tests/golden" / GetParam();
-    const auto tolerance = nlohmann::json::parse(textOf(folder / "tolerance.json"));
+    const fs::path folder = testing::goldenFolder(GetParam());
+    const auto tolerance = nlohmann::json::parse(std::ifstream(folder / "tolerance.json"));
     ASSERT_FALSE(tolerance.at("reason").get<std::string>().empty());
-    const auto figure = loadCase(folder);
+    const auto figure = testing::loadGolden(GetParam());
     if (!figure) {
         GTEST_SKIP() << "its scan is not here";
     }
@@ -172,25 +117,13 @@ TEST_P(Golden, LooksAsExpected) {
     }
 }
 
-std::vector<std::string> cases() {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(fs::path(LIMNER_SOURCE_DIR) / "tests/golden")) {
-        if (fs::exists(entry.path() / "tolerance.json")) {
-            names.push_back(entry.path().filename().string());
-        }
-    }
-    std::sort(names.begin(), names.end());
-    return names;
-}
-
 TEST(GoldenCases, EverySampleFigureIsOne) {
     for (const SampleFigure& figure : sampleFigures()) {
-        EXPECT_TRUE(fs::exists(fs::path(LIMNER_SOURCE_DIR) / "tests/golden" / figure.id / "tolerance.json"))
-            << figure.id;
+        EXPECT_TRUE(fs::exists(testing::goldenFolder(figure.id) / "tolerance.json")) << figure.id;
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Figures, Golden, ::testing::ValuesIn(cases()), [](const auto& test) {
+INSTANTIATE_TEST_SUITE_P(Figures, Golden, ::testing::ValuesIn(testing::goldenCases()), [](const auto& test) {
     std::string name = test.param;
     std::replace(name.begin(), name.end(), '-', '_');
     return name;
