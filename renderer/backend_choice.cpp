@@ -1,26 +1,104 @@
 #include "renderer/backend_choice.h"
 
 #include "core/base/error.h"
+#include "renderer/cpu/kernel.h"
 #include "renderer/gl/gl_backend.h"
 
+#include <algorithm>
+#include <map>
+#include <mutex>
+
 namespace limner {
+
+namespace {
+
+/// The card, and the processor for what the card cannot draw.
+class WithFallback : public Backend {
+  public:
+    explicit WithFallback(std::unique_ptr<GlBackend> card) : card_(std::move(card)), processor_(makeCpuBackend()) {}
+
+    [[nodiscard]] std::string name() const override { return card_->name(); }
+    [[nodiscard]] const GlBackend& card() const { return *card_; }
+
+    RenderResult render(const RenderPlan& plan, const Tile& tile, Task& task) const override {
+        try {
+            return card_->render(plan, tile, task);
+        } catch (const Error& error) {
+            if (error.kind() != ErrorKind::noOpenGl && error.kind() != ErrorKind::noResources) {
+                throw;
+            }
+            task.warn("Drawn by the processor: " + error.text().what + ", " + error.text().why + ".");
+        }
+        return processor_->render(plan, tile, task);
+    }
+
+  private:
+    std::unique_ptr<GlBackend> card_;
+    std::unique_ptr<Backend> processor_;
+};
+
+BackendChoice choose(const std::string& glLibrary) {
+    if (!gl::hasGraphicsDevice()) {
+        return {"cpu", "no graphics device"};
+    }
+    try {
+        const gl::ContextFacts facts = gl::probe(gl::contextFactory(glLibrary));
+        if (facts.software) {
+            return {"cpu", "OpenGL is drawn by the processor: " + facts.renderer};
+        }
+        return {"gl", facts.renderer};
+    } catch (const Error& error) {
+        return {"cpu", "no OpenGL: " + error.text().why};
+    }
+}
+
+void checkName(const std::vector<std::string>& known, const std::string& name, const char* what) {
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+        std::string all;
+        for (const std::string& one : known) {
+            all += (all.empty() ? "" : &one == &known.back() ? " or " : ", ") + one;
+        }
+        throw Error(ErrorKind::usage, {std::string("there is no such ") + what, name, "", "use " + all});
+    }
+}
+
+} // namespace
 
 const std::vector<std::string>& backendNames() {
     static const std::vector<std::string> names{"auto", "cpu", "gl", "reference"};
     return names;
 }
 
-std::unique_ptr<Backend> makeBackend(const std::string& name) {
-    if (name == "auto" || name == "cpu") {
-        return makeCpuBackend();
-    }
-    if (name == "reference") {
-        return makeReferenceBackend();
-    }
+const std::vector<std::string>& glLibraryNames() { return gl::contextLibraries(); }
+
+const BackendChoice& automaticBackend(const std::string& glLibrary) {
+    static std::mutex mutex;
+    static std::map<std::string, BackendChoice> known;
+    const std::lock_guard lock(mutex);
+    const auto found = known.find(glLibrary);
+    return found != known.end() ? found->second : known.emplace(glLibrary, choose(glLibrary)).first->second;
+}
+
+std::unique_ptr<Backend> makeBackend(const std::string& name, const std::string& glLibrary) {
+    checkName(backendNames(), name, "backend");
+    checkName(glLibraryNames(), glLibrary, "OpenGL library");
     if (name == "gl") {
-        return makeGlBackend(gl::contextFactory("auto"));
+        return makeGlBackend(gl::contextFactory(glLibrary));
     }
-    throw Error(ErrorKind::usage, {"there is no such backend", name, "", "use auto, cpu, gl or reference"});
+    if (name == "auto" && automaticBackend(glLibrary).name == "gl") {
+        return std::make_unique<WithFallback>(makeGlBackend(gl::contextFactory(glLibrary)));
+    }
+    return name == "reference" ? makeReferenceBackend() : makeCpuBackend();
+}
+
+std::string backendDetail(const Backend& backend) {
+    if (const auto* both = dynamic_cast<const WithFallback*>(&backend)) {
+        return backendDetail(both->card());
+    }
+    if (const auto* card = dynamic_cast<const GlBackend*>(&backend)) {
+        return card->facts().renderer;
+    }
+    return backend.name() == "cpu" ? kernelTargets().front() : "";
 }
 
 } // namespace limner

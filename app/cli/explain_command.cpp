@@ -4,7 +4,6 @@
 #include "app/cli/facts.h"
 #include "app/cli/visibility_table.h"
 #include "core/figure/quantity.h"
-#include "renderer/backend_choice.h"
 #include "renderer/export/thread_limit.h"
 #include "renderer/plan/explain.h"
 
@@ -122,8 +121,7 @@ void ExplainCommand::declare(CLI::App& app) {
     figure_.declareInput(app, "FIGURE-or-VOLUME", "A .limner project, a figure.json or a scan");
     figure_.declareLook(app);
     figure_.declareSize(app);
-    app.add_option("--backend", backend_, "What renders: auto, cpu or reference (slow, double precision) [auto]")
-        ->option_text("NAME");
+    backend_.declare(app);
     app.add_flag("--visibility", visibility_,
                  "How much of the picture each layer, label and range of values makes, now and\n"
                  "at other global weights of importance");
@@ -131,7 +129,7 @@ void ExplainCommand::declare(CLI::App& app) {
 }
 
 int ExplainCommand::run(Console& console) {
-    const auto backend = makeBackend(backend_);
+    const auto backend = backend_.make();
     std::optional<ThreadLimit> limit;
     if (figure_.threads() > 0) {
         limit.emplace(figure_.threads());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/cli/backend_options.h"
 #include "app/cli/command.h"
 #include "app/cli/figure_options.h"
 
@@ -15,7 +16,7 @@ class ExplainCommand : public Command {
 
   private:
     FigureOptions figure_;
-    std::string backend_ = "auto";
+    BackendOptions backend_;
     bool visibility_ = false;
 };
 

@@ -1,6 +1,7 @@
 #include "app/cli/program.h"
 
 #include "app/cli/console.h"
+#include "app/cli/doctor_command.h"
 #include "app/cli/explain_command.h"
 #include "app/cli/help_formatter.h"
 #include "app/cli/info_command.h"
@@ -56,6 +57,7 @@ class Parser {
         add(app_, "validate", std::make_unique<ValidateCommand>());
         add(app_, "explain", std::make_unique<ExplainCommand>());
         add(app_, "self-test", std::make_unique<SelfTestCommand>());
+        add(app_, "doctor", std::make_unique<DoctorCommand>());
         CLI::App& style = *group("style", "Extracts, adds, shows, lists and removes lit-sphere styles");
         add(style, "extract", std::make_unique<StyleExtractCommand>());
         add(style, "add", std::make_unique<StyleAddCommand>());

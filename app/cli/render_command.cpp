@@ -6,7 +6,6 @@
 #include "core/base/process.h"
 #include "core/figure/quantity.h"
 #include "core/style/background_picture.h"
-#include "renderer/backend_choice.h"
 #include "renderer/export/thread_limit.h"
 #include "renderer/plan/planner.h"
 
@@ -62,8 +61,7 @@ void RenderCommand::declare(CLI::App& app) {
     declarePicture(app);
     figure_.declareLook(app);
     figure_.declareSize(app);
-    app.add_option("--backend", backend_, "What renders: auto, cpu or reference (slow, double precision) [auto]")
-        ->option_text("NAME");
+    backend_.declare(app);
     app.add_option("--tile", tile_, "Edge of the tiles that are rendered at a time, in pixels [from the budget]")
         ->option_text("N")
         ->check(CLI::Range(1, 1'000'000).description(""));
@@ -108,7 +106,7 @@ int RenderCommand::run(Console& console) {
     const auto start = std::chrono::steady_clock::now();
     // What is wrong with the request is said before a scan of a gigabyte is read.
     checkExport(out_, {0, 0}, optionsFor(Figure{}));
-    const auto backend = makeBackend(backend_);
+    const auto backend = backend_.make();
     std::optional<ThreadLimit> limit;
     if (figure_.threads() > 0) {
         limit.emplace(figure_.threads());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/cli/backend_options.h"
 #include "app/cli/command.h"
 #include "app/cli/figure_options.h"
 #include "renderer/export/picture_file.h"
@@ -22,7 +23,7 @@ class RenderCommand : public Command {
 
     FigureOptions figure_;
     std::string out_;
-    std::string backend_ = "auto";
+    BackendOptions backend_;
     std::string depth_;
     std::string background_;
     bool transparent_ = false;

@@ -45,18 +45,24 @@ Facts factsOf(const FormulaEngine& engine, const FormulaReport& report) {
 void SelfTestCommand::declare(CLI::App& app) {
     app.description("Checks the formulas on this machine\n"
                     "Evaluates every formula in double precision (reference) and in single precision with each\n"
-                    "instruction set that the processor has (cpu), against values known to many digits. Prints, for\n"
-                    "each formula, the largest errors and where the worst was. Bounds: 1e-12 relative in double,\n"
-                    "2e-6 of the natural range in single precision. Exit code 9 where a formula fails.");
+                    "instruction set that the processor has (cpu) and in GLSL with every OpenGL library that works\n"
+                    "(gl), against values known to many digits. Prints, for each formula, the largest errors and\n"
+                    "where the worst was. Bounds: 1e-12 relative in double, 2e-6 of the natural range in single\n"
+                    "precision. Exit code 9 where a formula fails, 4 where --backend gl finds no OpenGL.");
     app.footer(kExamples);
     app.add_option("--vectors", vectors_, "A file of test vectors (JSON lines) instead of the built-in values")
         ->option_text("FILE");
-    app.add_option("--backend", backend_, "Only this one: reference or cpu")->option_text("NAME");
+    app.add_option("--backend", backend_, "Only this one: reference, cpu or gl")->option_text("NAME");
 }
 
 int SelfTestCommand::run(Console& console) {
     if (!backend_.empty()) {
-        checkKnown({"reference", "cpu"}, backend_, "--backend");
+        checkKnown({"reference", "cpu", "gl"}, backend_, "--backend");
+    }
+    const std::vector<FormulaEngine> engines = formulaEngines(backend_);
+    if (engines.empty()) {
+        throw Error(ErrorKind::noOpenGl, {"the formulas cannot be checked in GLSL", "", "no OpenGL library works here",
+                                          "`limner doctor` says why"});
     }
     const std::vector<FormulaVector> vectors =
         vectors_.empty() ? publishedFormulaValues() : readFormulaVectors(vectors_);
@@ -64,7 +70,7 @@ int SelfTestCommand::run(Console& console) {
         {"backend", "target", "formula", "count", "absolute", "relative", "worst", ""}};
     Facts list = Facts::array();
     int failed = 0;
-    for (const FormulaEngine& engine : formulaEngines(backend_)) {
+    for (const FormulaEngine& engine : engines) {
         for (const FormulaReport& report : checkFormulas(vectors, engine)) {
             failed += report.passed ? 0 : 1;
             rows.push_back({engine.backend, engine.target, report.formula, std::to_string(report.count),

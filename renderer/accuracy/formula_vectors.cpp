@@ -3,6 +3,7 @@
 #include "renderer/accuracy/formula_calls.h"
 #include "renderer/cpu/formulas.h"
 #include "renderer/cpu/kernel.h"
+#include "renderer/gl/formulas.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,6 +66,34 @@ std::vector<std::vector<double>> inLanes(const FormulaVector* first, std::size_t
     for (std::size_t i = 0; i < count; ++i) {
         for (std::size_t k = 0; k < kind.results; ++k) {
             results[i].push_back(out[k * width + i]);
+        }
+    }
+    return results;
+}
+
+/// All vectors, each formula's at once: to make a shader takes longer than to run it.
+std::vector<std::vector<double>> inGlsl(const gl::ContextFactory& contexts, const std::vector<FormulaVector>& vectors) {
+    std::vector<std::vector<double>> results(vectors.size());
+    for (const FormulaKind& kind : kFormulas) {
+        std::vector<std::size_t> own;
+        std::size_t arguments = 0;
+        for (std::size_t i = 0; i < vectors.size(); ++i) {
+            if (vectors[i].formula == kind.formula) {
+                own.push_back(i);
+                arguments = std::max(arguments, vectors[i].in.size());
+            }
+        }
+        if (own.empty()) {
+            continue;
+        }
+        std::vector<float> in(arguments * own.size(), 0); // shorter rays end with samples of opacity 0
+        for (std::size_t k = 0; k < own.size(); ++k) {
+            std::transform(vectors[own[k]].in.begin(), vectors[own[k]].in.end(), &in[k * arguments],
+                           [](double v) { return static_cast<float>(v); });
+        }
+        const std::vector<float> out = gl::evaluateFormula(contexts, kind.formula, arguments, in);
+        for (std::size_t k = 0; k < own.size(); ++k) {
+            results[own[k]].assign(&out[k * kind.results], &out[k * kind.results] + kind.results);
         }
     }
     return results;
@@ -166,6 +195,9 @@ std::vector<FormulaEngine> formulaEngines(const std::string& backend) {
     for (const std::string& target : kernelTargets()) {
         engines.push_back({"cpu", target});
     }
+    for (const std::string& library : gl::openLibraries()) {
+        engines.push_back({"gl", library});
+    }
     if (!backend.empty()) {
         std::erase_if(engines, [&](const FormulaEngine& engine) { return engine.backend != backend; });
     }
@@ -180,6 +212,9 @@ std::vector<std::vector<double>> evaluateFormulas(const FormulaEngine& engine,
             results.push_back(inDouble(vector));
         }
         return results;
+    }
+    if (engine.backend == "gl") {
+        return inGlsl(gl::contextFactory(engine.target), vectors);
     }
     const TargetChoice choice(engine.target);
     for (std::size_t first = 0; first < vectors.size(); first = results.size()) {

@@ -17,10 +17,10 @@ struct FormulaVector {
     double rounding = 0;     ///< how far `out` may be from the true results, as it is printed
 };
 
-/// What evaluates: the double templates, or single precision with one instruction set.
+/// What evaluates: the double templates, single precision with one instruction set, or GLSL in one library's context.
 struct FormulaEngine {
-    std::string backend; ///< "reference" or "cpu", as Backend::name()
-    std::string target;  ///< "double", or as kernelTargets()
+    std::string backend; ///< "reference", "cpu" or "gl", as Backend::name()
+    std::string target;  ///< "double", as kernelTargets(), or as gl::contextLibraries()
 };
 
 /// How a formula did on all its vectors.
@@ -34,7 +34,8 @@ struct FormulaReport {
     std::string bound; ///< what was asked, with the reason where it is not the usual bound
 };
 
-/// The reference and the SIMD backend with every instruction set of this machine; or only those of one backend.
+/// The reference, the SIMD backend with every instruction set of this machine, and OpenGL with every library whose
+/// context opens; or only those of one backend.
 std::vector<FormulaEngine> formulaEngines(const std::string& backend = "");
 
 /// The lines of a file of test vectors (spec vectors/README.md). Throws Error(badInput) with the number of the first

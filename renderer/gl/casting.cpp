@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cmath>
 #include <numeric>
 
 namespace limner::gl {
@@ -37,12 +36,14 @@ std::vector<Block> blocksOf(const Tile& tile, int subPixels) {
     for (int y = first.y / kTile * kTile; y < end.y; y += kTile) {
         for (int x = first.x / kTile * kTile; x < end.x; x += kTile) {
             const glm::ivec2 corner(x, y);
-            blocks.push_back({corner, glm::max(first - corner, glm::ivec2(0)),
-                              glm::min(end - corner, glm::ivec2(kTile))});
+            blocks.push_back(
+                {corner, glm::max(first - corner, glm::ivec2(0)), glm::min(end - corner, glm::ivec2(kTile))});
         }
     }
     return blocks;
 }
+
+constexpr int kCountBlock = 16; ///< edge of the blocks whose counts a sum takes: 2^24 samples and more are exact
 
 class Casting {
     using Target = CastingMemory::Target;
@@ -191,8 +192,9 @@ class Casting {
             return;
         }
         const double perPixel = 1.0 / plan_.subPixels;
-        const glm::dvec2 low = glm::dvec2(block.corner + block.low) * perPixel;
-        const glm::dvec2 high = glm::dvec2(block.corner + block.high) * perPixel;
+        // Of the whole block, whatever of it is wanted: where a ray ends must not depend on the tiling.
+        const glm::dvec2 low = glm::dvec2(block.corner) * perPixel;
+        const glm::dvec2 high = glm::dvec2(block.corner + kTile) * perPixel;
         program_->set("ahead", std::span<const float>(built_.ahead()->behind(low, high)));
         if (!plan_.importance->lenses.empty()) {
             setWeights(block);
@@ -215,13 +217,14 @@ class Casting {
         units_->bind("weights", GL_TEXTURE_2D, weights_.id());
     }
 
-    /// A volume in parts: all blocks of a page before the next page, the state of the rays passed on. Target 0 is the one
-    /// that is drawn into while a block's own is read.
+    /// A volume in parts: all blocks of a page before the next page, the state of the rays passed on. Target 0 is the
+    /// one that is drawn into while a block's own is read.
     void drawPages(const std::vector<Page>& pages, const std::vector<Block>& blocks) {
         for (std::size_t i = 0; i < blocks.size(); ++i) {
             clear(targetAt(i + 1));
         }
         for (std::size_t p = 0; p < pages.size(); ++p) {
+            textures_.bind(*units_, *program_); // what all pages read is used anew, so that no page takes its room
             textures_.bindPage(pages[p], *units_, *program_);
             program_->set("lastPass", p + 1 == pages.size() ? 1 : 0);
             for (std::size_t i = 0; i < blocks.size(); ++i) {
@@ -246,15 +249,40 @@ class Casting {
         count(target, result);
     }
 
-    /// The mean of a target whose edge is a power of two is its smallest mip level.
+    /// Summed on the card: a few hundred numbers come back instead of all of the state.
     void count(const Target& target, RenderResult& result) {
+        constexpr int kSums = kTile / kCountBlock;
+        if (!memory_.sums.framebuffer) {
+            memory_.sums = makeSums(kSums);
+        }
+        ProgramSource source;
+        source.define("kBlock", kCountBlock).add("sum_counts.frag");
+        Program& program = device_.program(wholeTarget(), source);
+        program.use();
         device_.useSpareUnit();
         gl_.BindTexture(GL_TEXTURE_2D, target.state.id());
-        gl_.GenerateMipmap(GL_TEXTURE_2D);
-        std::array<float, 4> mean{};
-        gl_.GetTexImage(GL_TEXTURE_2D, static_cast<GLint>(std::log2(kTile)), GL_RGBA, GL_FLOAT, mean.data());
-        result.samples += static_cast<std::uint64_t>(std::llround(double(mean[2]) * kTile * kTile));
-        result.shaded += static_cast<std::uint64_t>(std::llround(double(mean[3]) * kTile * kTile));
+        program.set("rayState", device_.facts().textureUnits - 1);
+        gl_.BindFramebuffer(GL_FRAMEBUFFER, memory_.sums.framebuffer.id());
+        gl_.Disable(GL_SCISSOR_TEST);
+        gl_.Viewport(0, 0, kSums, kSums);
+        gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+        std::vector<float> sums(4 * std::size_t{kSums} * kSums);
+        gl_.ReadBuffer(GL_COLOR_ATTACHMENT0);
+        gl_.ReadPixels(0, 0, kSums, kSums, GL_RGBA, GL_FLOAT, sums.data());
+        for (std::size_t i = 0; i < sums.size(); i += 4) {
+            result.samples += static_cast<std::uint64_t>(sums[i]);
+            result.shaded += static_cast<std::uint64_t>(sums[i + 1]);
+        }
+        gl_.Viewport(0, 0, kTile, kTile);
+        program_->use();
+    }
+
+    Target makeSums(int edge) {
+        const TextureForm form{GL_TEXTURE_2D, GL_RGBA32F, GL_RGBA, GL_FLOAT, GL_NEAREST, {edge, edge, 1}};
+        Target target{device_.makeTexture(form), Texture(), Framebuffer(gl_)};
+        gl_.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.id());
+        gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.colours.id(), 0);
+        return target;
     }
 
     Device& device_;

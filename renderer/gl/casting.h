@@ -14,9 +14,10 @@ struct CastingMemory {
         Framebuffer framebuffer;
     };
     std::vector<Target> targets;
+    Target sums; ///< of the counts
     VertexArray vertices;
-    int slice = 128;           ///< sub-pixels along an edge that are drawn between two looks at the task
-    int loop = -1;             ///< 1: march, then shade; 0: the plain loop; -1: not tried yet
+    int slice = 128; ///< sub-pixels along an edge that are drawn between two looks at the task
+    int loop = -1;   ///< 1: march, then shade; 0: the plain loop; -1: not tried yet
 };
 
 /// Draws a tile of a plan, its context being current. Throws Error(cancelled), Error(noOpenGl), Error(noResources).

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <filesystem>
 
 namespace limner::gl {
 
@@ -62,6 +63,45 @@ ContextFacts factsOf(const Context& context, const Functions& gl) {
 const std::vector<std::string>& contextLibraries() {
     static const std::vector<std::string> names{"auto", "egl", "osmesa"};
     return names;
+}
+
+bool hasGraphicsDevice() {
+#ifdef __linux__
+    std::error_code none;
+    const std::filesystem::directory_iterator dri("/dev/dri", none);
+    const bool card = std::any_of(
+        begin(dri), end(dri), [](const auto& entry) { return entry.path().filename().string().starts_with("render"); });
+    // NVIDIA's own driver, and that of a Linux inside Windows, have devices of other names.
+    return card || std::filesystem::exists("/dev/nvidiactl", none) || std::filesystem::exists("/dev/dxg", none);
+#else
+    return true;
+#endif
+}
+
+ContextFacts probe(const ContextFactory& contexts) {
+    const std::unique_ptr<Context> context = contexts();
+    const Functions gl = loadFunctions([&](const char* name) { return context->find(name); });
+    const ContextFacts facts = factsOf(*context, gl);
+    context->release();
+    return facts;
+}
+
+const std::vector<std::string>& openLibraries() {
+    static const std::vector<std::string> open = [] {
+        std::vector<std::string> names;
+        for (const std::string& name : contextLibraries()) {
+            try {
+                if (name != "auto") {
+                    probe(contextFactory(name));
+                    names.push_back(name);
+                }
+            } catch (const Error&) {
+                // The library is not here or too old: `limner doctor` says so.
+            }
+        }
+        return names;
+    }();
+    return open;
 }
 
 ContextFactory contextFactory(const std::string& library) {

@@ -54,6 +54,16 @@ ContextFactory contextFactory(const std::string& library);
 /// Names that `contextFactory` knows, "auto" first.
 const std::vector<std::string>& contextLibraries();
 
+/// Those but "auto" whose context opens on this machine. Tried once for a program.
+const std::vector<std::string>& openLibraries();
+
+/// Whether the system shows any graphics device: where it shows none, OpenGL is drawn by the processor. True where the
+/// system does not tell.
+bool hasGraphicsDevice();
+
+/// Opens a context, asks what it is, and closes it. Throws Error(noOpenGl).
+ContextFacts probe(const ContextFactory& contexts);
+
 std::unique_ptr<Context> openEgl();
 std::unique_ptr<Context> openOsmesa();
 

@@ -39,7 +39,8 @@ void APIENTRY keepComplaint(GLenum /*source*/, GLenum type, GLuint /*id*/, GLenu
                             const GLchar* message, const void* complaints) {
     if (type == GL_DEBUG_TYPE_ERROR) {
         auto* kept = static_cast<std::vector<std::string>*>(const_cast<void*>(complaints));
-        kept->emplace_back(message, length > 0 ? static_cast<std::size_t>(length) : std::char_traits<char>::length(message));
+        kept->emplace_back(message,
+                           length > 0 ? static_cast<std::size_t>(length) : std::char_traits<char>::length(message));
     }
 }
 
@@ -123,9 +124,7 @@ void Device::drop(std::map<Key, Resident>::iterator which) {
     textures_.erase(which);
 }
 
-void Device::useSpareUnit() const {
-    gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(facts_.textureUnits) - 1);
-}
+void Device::useSpareUnit() const { gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(facts_.textureUnits) - 1); }
 
 Texture Device::makeTexture(const TextureForm& form) const {
     useSpareUnit();

@@ -41,14 +41,34 @@ int reachOf(const RenderPlan& plan) {
     return kReach + static_cast<int>(std::ceil(probe / plan.volume->grid().smallestSpacingMm()));
 }
 
-bool fits(const glm::ivec3& cells, int reach, std::uint64_t perVoxel, const Device& device) {
-    const glm::ivec3 voxels = cells + 1 + 2 * reach;
-    const auto all = static_cast<std::uint64_t>(voxels.x) * static_cast<std::uint64_t>(voxels.y) *
-                     static_cast<std::uint64_t>(voxels.z);
-    // Half of the room: the page before may stay while this one comes.
-    return glm::max(voxels.x, glm::max(voxels.y, voxels.z)) <= device.facts().largest3d &&
-           all * perVoxel <= device.room() / 2;
+/// What all pages read.
+std::uint64_t sharedBytes(const RenderPlan& plan) {
+    std::uint64_t bytes = plan.skip->distance.size();
+    bytes += plan.atlas ? 2 * plan.atlas->texels.size() : 0;
+    if (plan.cues) {
+        for (const auto& cue : {plan.cues->ambient, plan.cues->shadow, plan.cues->halo}) {
+            bytes += cue ? sizeof(float) * cue->values.size() : 0;
+        }
+    }
+    return bytes;
 }
+
+/// What the card offers a page.
+struct PageRoom {
+    int edge = 0; ///< voxels
+    std::uint64_t voxels = 0;
+
+    PageRoom(const RenderPlan& plan, const Device& device) : edge(device.facts().largest3d) {
+        const std::uint64_t shared = sharedBytes(plan);
+        // Half of it: the page before may stay while this one comes.
+        voxels = device.room() > shared ? (device.room() - shared) / 2 / bytesPerVoxel(plan) : 0;
+    }
+    [[nodiscard]] bool holds(const glm::ivec3& size) const {
+        const auto all = static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y) *
+                         static_cast<std::uint64_t>(size.z);
+        return glm::max(size.x, glm::max(size.y, size.z)) <= edge && all <= voxels;
+    }
+};
 
 Page pageAt(const glm::ivec3& at, const glm::ivec3& cells, const glm::ivec3& dims, int reach) {
     Page page;
@@ -72,18 +92,15 @@ std::string Page::name() const {
 
 PageGrid pagesOf(const RenderPlan& plan, const Device& device) {
     const glm::ivec3 dims = plan.volume->grid().dims;
-    const std::uint64_t perVoxel = bytesPerVoxel(plan);
+    const PageRoom room(plan, device);
     const int reach = reachOf(plan);
     PageGrid grid;
-    const auto voxels = static_cast<std::uint64_t>(dims.x) * static_cast<std::uint64_t>(dims.y) *
-                        static_cast<std::uint64_t>(dims.z);
-    if (glm::max(dims.x, glm::max(dims.y, dims.z)) <= device.facts().largest3d &&
-        voxels * perVoxel <= device.room() / 2) {
+    if (room.holds(dims)) {
         grid.pages = {{glm::ivec3(0), dims, glm::ivec3(0), dims}};
         return grid;
     }
     glm::ivec3 cells = dims;
-    while (!fits(cells, reach, perVoxel, device)) {
+    while (!room.holds(cells + 1 + 2 * reach)) {
         int longest = 0;
         for (int axis = 1; axis < 3; ++axis) {
             longest = cells[axis] > cells[longest] ? axis : longest;
@@ -109,8 +126,8 @@ std::vector<Page> frontToBack(const PageGrid& grid, const KernelScene& scene) {
     for (int axis = 0; axis < 3; ++axis) {
         const double eye = scene.origin[axis] / cells[axis];
         const double last = grid.count[axis] - 1;
-        const double page = scene.perspective ? std::clamp(std::floor(eye), 0.0, last)
-                                              : (scene.forward[axis] < 0 ? last : 0.0);
+        const double page =
+            scene.perspective ? std::clamp(std::floor(eye), 0.0, last) : (scene.forward[axis] < 0 ? last : 0.0);
         begin[axis] = static_cast<int>(page);
     }
     // A ray only leaves the page it set out from, along every axis: each step makes the sum of the distances greater.

@@ -58,8 +58,8 @@ class Tables {
 
     /// Nodes share tiles.
     std::size_t firstOf(const KernelTexture& texture) {
-        const auto found = std::find_if(tiles_.begin(), tiles_.end(),
-                                        [&](const auto& tile) { return tile.first == texture.texels; });
+        const auto found =
+            std::find_if(tiles_.begin(), tiles_.end(), [&](const auto& tile) { return tile.first == texture.texels; });
         if (found != tiles_.end()) {
             return found->second;
         }

@@ -127,8 +127,9 @@ void uploadAtlas(const Device& device, const StyleAtlas& atlas, bool levels, Tex
 
 void uploadCue(const Device& device, const CueField& cue, Texture& texture) {
     const bool four = cue.channels == 4;
-    const TextureForm form{GL_TEXTURE_3D,       four ? GL_RGBA32F : GL_R32F, four ? GLenum{GL_RGBA} : GLenum{GL_RED},
-                           GL_FLOAT, GL_LINEAR, cue.dims};
+    const TextureForm form{
+        GL_TEXTURE_3D, four ? GL_RGBA32F : GL_R32F, four ? GLenum{GL_RGBA} : GLenum{GL_RED}, GL_FLOAT, GL_LINEAR,
+        cue.dims};
     texture = device.makeTexture(form);
     device.gl().TexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, 0, cue.dims.x, cue.dims.y, cue.dims.z, form.format, form.type,
                               cue.values.data());
@@ -139,9 +140,9 @@ void uploadCue(const Device& device, const CueField& cue, Texture& texture) {
 void TextureUnits::bind(const std::string& uniform, GLenum target, GLuint texture) {
     const auto found = units_.emplace(uniform, static_cast<int>(units_.size())).first;
     if (found->second + 1 >= device_.facts().textureUnits) {
-        throw Error(ErrorKind::noOpenGl, {"this figure cannot be drawn with OpenGL", "",
-                                          "it reads more fields than the card has texture units",
-                                          "use the backend cpu"});
+        throw Error(ErrorKind::noOpenGl,
+                    {"this figure cannot be drawn with OpenGL", "",
+                     "it reads more fields than the card has texture units", "use the backend cpu"});
     }
     device_.gl().ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(found->second));
     device_.gl().BindTexture(target, texture);
@@ -183,9 +184,9 @@ void SceneTextures::bind(TextureUnits& units, Program& program) const {
     }
     const auto cue = [&](const std::string& name, const std::shared_ptr<const CueField>& field) {
         if (field) {
-            units.bind(name, GL_TEXTURE_3D,
-                       device_.texture(field, "", field->values.size() * 4,
-                                       [&](Texture& texture) { uploadCue(device_, *field, texture); }));
+            units.bind(name, GL_TEXTURE_3D, device_.texture(field, "", field->values.size() * 4, [&](Texture& texture) {
+                uploadCue(device_, *field, texture);
+            }));
         }
     };
     if (plan_.cues) {
@@ -200,16 +201,16 @@ void SceneTextures::bindVolume(const std::shared_ptr<const Volume>& volume, cons
     if (!volume) {
         return;
     }
-    const VoxelForm form = uniform == "labels" ? formOfLabels(page.voxels)
-                                               : formOf(volume->type(), page.voxels, device_.facts());
+    const VoxelForm form =
+        uniform == "labels" ? formOfLabels(page.voxels) : formOf(volume->type(), page.voxels, device_.facts());
     const auto voxels = static_cast<std::uint64_t>(page.voxels.x) * static_cast<std::uint64_t>(page.voxels.y) *
                         static_cast<std::uint64_t>(page.voxels.z);
-    units.bind(uniform, GL_TEXTURE_3D,
-               device_.texture(volume, page.name(), voxels * static_cast<std::uint64_t>(form.bytes),
-                               [&](Texture& texture) {
-                                   texture = device_.makeTexture(form.texture);
-                                   uploadVoxels(device_.gl(), *volume, page, form);
-                               }));
+    units.bind(
+        uniform, GL_TEXTURE_3D,
+        device_.texture(volume, page.name(), voxels * static_cast<std::uint64_t>(form.bytes), [&](Texture& texture) {
+            texture = device_.makeTexture(form.texture);
+            uploadVoxels(device_.gl(), *volume, page, form);
+        }));
 }
 
 void SceneTextures::bindPage(const Page& page, TextureUnits& units, Program& program) const {
@@ -221,7 +222,8 @@ void SceneTextures::bindPage(const Page& page, TextureUnits& units, Program& pro
         }
     };
     bind("field", "storedField", plan_.field);
-    bind("gradientField", "storedGradient", plan_.gradient == GradientEstimator::central ? nullptr : plan_.gradientField);
+    bind("gradientField", "storedGradient",
+         plan_.gradient == GradientEstimator::central ? nullptr : plan_.gradientField);
     bind("bendField", "storedBend", plan_.bendField);
     bind("secondVolume", "storedSecond", plan_.secondVolume);
     bindVolume(plan_.labels, page, "labels", units);

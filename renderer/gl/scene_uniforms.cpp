@@ -33,8 +33,7 @@ void setField(Program& program, const KernelScene& scene) {
     program.set("entryOfStored", glm::vec2(scene.tableScale * unit, scene.tableBias));
     program.set("visibleEntries", glm::vec2(scene.visibleFrom, scene.visibleTo));
     program.set("lastEntry", scene.lastEntry);
-    program.set("eyeFromGradient",
-                matrix(scene.eyeFromGradient, scene.gradient == KernelGradient::taps ? 1.0F : unit));
+    program.set("eyeFromGradient", matrix(scene.eyeFromGradient, scene.gradient == KernelGradient::taps ? 1.0F : unit));
     program.set("gradientRounding", scene.gradientRounding);
     program.set("gradientFloor", scene.gradientFloor);
     program.set("perGradientMax", scene.perGradientMax);
@@ -112,8 +111,7 @@ void setParts(Program& program, const std::string& number, const KernelLayer& la
     program.set("lastRampEntry" + number, parts.lastEntry);
     program.set("partLight" + number, vector(parts.light));
     program.set("placeOnRamp" + number, linear(parts.placeFromCell));
-    program.set("silhouette" + number,
-                glm::vec3(parts.silhouetteOpacity, parts.silhouetteFull, parts.silhouetteNone));
+    program.set("silhouette" + number, glm::vec3(parts.silhouetteOpacity, parts.silhouetteFull, parts.silhouetteNone));
     program.set("silhouetteRgb" + number, vector(parts.silhouetteRgb));
     program.set("specular" + number, glm::vec2(parts.specularStrength, parts.specularExponent));
     if (layer.cut != nullptr) {

@@ -34,7 +34,7 @@ LIBRARIES = (
 # The longest prefix of a file's path counts. "files" is reading and writing files by streams.
 RULES = {
     "core": (("core",), {"glm"}, {"tbb", "files"}),
-    "core/base": (("core/base",), set(), {"system"}),
+    "core/base": (("core/base",), set(), {"system", "files"}),
     "core/volume": (
         ("core",),
         {"glm"},

@@ -10,8 +10,8 @@
 
 namespace limner::testing {
 
-/// The OpenGL backend that tests draw with, one for a program: Mesa on the processor, else whatever EGL gives. Null, and
-/// a line that says why, where no context opens.
+/// The OpenGL backend that tests draw with, one for a program: Mesa on the processor, else whatever EGL gives. Null,
+/// and a line that says why, where no context opens.
 inline GlBackend* sharedGl() {
     static const std::unique_ptr<GlBackend> backend = [] {
         for (const char* library : {"osmesa", "egl"}) {

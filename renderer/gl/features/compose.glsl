@@ -57,7 +57,7 @@ void composeLayer(inout Pixel pixel, Facts facts, vec3 colour, float opacity, fl
 #else
     float total = min(totalImportance(weight * ofLayer, sum), importanceLimit);
 #endif
-    float kept = keptBehind(pixel.rgba.a, pixel.exponential, opacity, exp(total * gate));
+    float kept = keptBehind(pixel.rgba.a, pixel.exponential, opacity, preciseExp(total * gate));
     pixel.rgba.rgb = mix(colour, pixel.rgba.rgb, kept);
     pixel.depth += min(depth, 1e6);
 }
@@ -71,14 +71,14 @@ void endWhereCertain(inout Pixel pixel, vec3 q) {
     most += unocclusionWeight * unocclusionImportance(pixel.depth) * layerMost;
 #endif
     float greatest = min(max(min(weight * most, importanceLimit), backgroundOf(weight)), kGreatestOfAll);
-    pixel.done = pixel.rgba.a * min(1.0, pixel.exponential * exp(-greatest)) >= opaque;
+    pixel.done = pixel.rgba.a * min(1.0, pixel.exponential * preciseExp(-greatest)) >= opaque;
 }
 
 bool isDone(Pixel pixel) { return pixel.done; }
 
 /// Premultiplied, the background's importance counted.
 vec4 finished(Pixel pixel) {
-    float alpha = min(pixel.rgba.a, pixel.exponential * exp(-backgroundOf(weightHere())));
+    float alpha = min(pixel.rgba.a, pixel.exponential * preciseExp(-backgroundOf(weightHere())));
     return vec4(pixel.rgba.rgb * alpha, alpha);
 }
 #else

@@ -66,12 +66,13 @@ bool look(Ray ray, float k, out Sample found) {
 /// Cuts a ray to the samples that can lie in the page, one more at both ends: each is asked whether it does.
 void cutToPage(Ray ray, inout float k, inout float end) {
     vec3 a = (vec3(pageLow) - ray.start) * ray.inverse;
-    vec3 b = (vec3(pageHigh) - ray.start) * ray.inverse;
+    // Half a voxel past the last middle the position stays at the last cell: such samples are the last page's.
+    vec3 far = vec3(pageHigh) + vec3(greaterThan(vec3(pageHigh), lastCell));
+    vec3 b = (far - ray.start) * ray.inverse;
     vec3 low = min(a, b);
     vec3 high = max(a, b);
     k = max(k, floor(max(low.x, max(low.y, low.z))) - 1.0);
-    // The last cell's samples may stand on its far side: what is past the volume is the last page's.
-    end = min(end, ceil(min(high.x, min(high.y, high.z))) + 2.0);
+    end = min(end, ceil(min(high.x, min(high.y, high.z))) + 1.0);
 }
 #endif
 

@@ -129,7 +129,7 @@ TEST_F(WithScan, EveryOtherFailureHasItsCode) {
     std::ofstream(path("bad.json")) << "{ \"limner\": 1, ";
     expectError({"explain", path("bad.json")}, 3, "bad.json");
     expectError({"render", scan(), "-o", path("b.png"), "--background", path("bad.json")}, 3, "bad.json");
-    expectError({"render", scan(), "-o", path("b.png"), "--backend", "gl"}, 4, "OpenGL");
+    expectError({"render", scan(), "-o", path("b.png"), "--gl", "vulkan"}, 2, "vulkan");
     expectError({"render", scan(), "-o", path("b.png"), "--memory", "20K"}, 5);
     expectError({"render", scan(), "-o", path("b.png"), "--set", "/camra/height_mm=5"}, 2, "camera");
     expectError({"render", scan(), "-o", path("b.png"), "--set", "nonsense"}, 2);

@@ -238,7 +238,10 @@ TEST(FormulaEngines, AreOfOneBackendWhereAsked) {
     for (const FormulaEngine& engine : formulaEngines("cpu")) {
         EXPECT_EQ(engine.backend, "cpu");
     }
-    EXPECT_EQ(formulaEngines("cpu").size() + 1, formulaEngines().size());
+    for (const FormulaEngine& engine : formulaEngines("gl")) {
+        EXPECT_EQ(engine.backend, "gl");
+    }
+    EXPECT_EQ(formulaEngines("cpu").size() + formulaEngines("gl").size() + 1, formulaEngines().size());
 }
 
 // ---- the reader -----------------------------------------------------------------------------------------------------
