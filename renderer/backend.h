@@ -28,7 +28,7 @@ class Backend {
   public:
     virtual ~Backend() = default;
     [[nodiscard]] virtual std::string name() const = 0;
-    /// Throws Error(cancelled) within 20 ms of a cancellation.
+    /// Throws Error(cancelled) within 20 ms of a cancellation; on a graphics card after the piece that it is drawing.
     virtual RenderResult render(const RenderPlan& plan, const Tile& tile, Task& task) const = 0;
 };
 

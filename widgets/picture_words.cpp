@@ -13,6 +13,10 @@ QString sentence(const std::string& text) {
     return words.left(1).toUpper() + words.mid(1);
 }
 
+QString backendWord(const std::string& backend) {
+    return backend == "gl" ? PictureWords::tr("OpenGL") : PictureWords::tr("processor");
+}
+
 } // namespace
 
 PictureWords::PictureWords(QWidget* parent) : QToolButton(parent) {
@@ -26,7 +30,7 @@ PictureWords::PictureWords(QWidget* parent) : QToolButton(parent) {
 void PictureWords::showPicture(const ScreenPicture& picture) {
     const PictureFacts& facts = picture.facts;
     facts_ = tr("%1 · %2 × %3 · %4 ms · %5 M samples · %6")
-                 .arg(QString::fromStdString(facts.backend))
+                 .arg(backendWord(facts.backend))
                  .arg(picture.image.width())
                  .arg(picture.image.height())
                  .arg(facts.renderMs, 0, 'f', 0)

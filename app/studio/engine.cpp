@@ -1,5 +1,7 @@
 #include "app/studio/engine.h"
 
+#include "app/studio/studio_backend.h"
+
 namespace limner {
 
 Engine makeEngine() {
@@ -7,7 +9,7 @@ Engine makeEngine() {
     return {[planner](const Figure& figure, const PlanRequest& request, Task& task) {
                 return planner->plan(figure, request, task);
             },
-            [] { return makeCpuBackend(); }};
+            [] { return makeStudioBackend(); }};
 }
 
 } // namespace limner

@@ -13,7 +13,7 @@ struct Engine {
     std::function<std::unique_ptr<const Backend>()> makeBackend;
 };
 
-/// A planner and the CPU backend.
+/// A planner and the backend of the user's choice.
 Engine makeEngine();
 
 } // namespace limner

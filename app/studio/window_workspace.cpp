@@ -2,6 +2,7 @@
 
 #include "app/studio/action_table.h"
 #include "app/studio/shortcuts_dialog.h"
+#include "app/studio/studio_backend.h"
 #include "app/studio/studio_language.h"
 #include "app/studio/studio_theme.h"
 #include "widgets/command_palette.h"
@@ -57,6 +58,7 @@ WindowWorkspace::WindowWorkspace(const Workplace& place)
     place_.actions->at("window.layouts")->setMenu(layouts_);
     buildThemes();
     buildLanguages();
+    buildBackends();
     showLayouts();
     place_.window->installEventFilter(this);
 }
@@ -168,6 +170,22 @@ void WindowWorkspace::buildLanguages() {
         group->addAction(action);
     }
     place_.actions->at("window.language")->setMenu(menu);
+}
+
+void WindowWorkspace::buildBackends() {
+    auto* menu = new QMenu(place_.window);
+    auto* group = new QActionGroup(this);
+    for (const StudioBackend& backend : studioBackends()) {
+        const QString code = backend.code;
+        QAction* action = menu->addAction(backend.name, this, [this, code] {
+            chooseStudioBackend(code);
+            place_.tell(tr("What draws changes when Limner is started again; now: %1").arg(studioBackendInForce()));
+        });
+        action->setCheckable(true);
+        action->setChecked(code == chosenStudioBackend());
+        group->addAction(action);
+    }
+    place_.actions->at("window.backend")->setMenu(menu);
 }
 
 void WindowWorkspace::showOnlyPicture(bool only) {

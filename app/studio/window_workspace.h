@@ -39,6 +39,7 @@ class WindowWorkspace : public QObject {
   private:
     void buildThemes();
     void buildLanguages();
+    void buildBackends();
     void showLayouts();
     void askForLayoutName();
     void showOnlyPicture(bool only);

@@ -51,7 +51,8 @@ class Casting {
   public:
     Casting(Device& device, CastingMemory& memory, const RenderPlan& plan, Task& task)
         : device_(device), gl_(device.gl()), memory_(memory), plan_(plan), task_(task), built_(plan),
-          tables_(sceneTables(plan, built_.scene())), textures_(device, plan, tables_), grid_(pagesOf(plan, device)) {}
+          tables_(sceneTables(plan, built_.scene())), textures_(device, plan, built_.scene(), tables_),
+          grid_(pagesOf(plan, device)) {}
 
     RenderResult run(const Tile& tile) {
         begin();
@@ -177,11 +178,12 @@ class Casting {
     }
 
     void pace(double seconds) {
-        constexpr double kLong = 0.03; // a display's two frames
-        constexpr int kSmallest = 64;  // what llvmpipe gives one thread
-        if (seconds > kLong) {
+        // A display's two frames; where the processor draws there is no display to wait, only the task.
+        const double longest = device_.facts().software ? 0.1 : 0.03;
+        constexpr int kSmallest = 128; // llvmpipe gives a thread 64 x 64 pixels at a time
+        if (seconds > longest) {
             memory_.slice = std::max(memory_.slice / 2, kSmallest);
-        } else if (seconds < kLong / 4) {
+        } else if (seconds < longest / 4) {
             memory_.slice = std::min(memory_.slice * 2, kTile);
         }
     }

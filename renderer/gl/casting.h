@@ -16,7 +16,7 @@ struct CastingMemory {
     std::vector<Target> targets;
     Target sums; ///< of the counts
     VertexArray vertices;
-    int slice = 128; ///< sub-pixels along an edge that are drawn between two looks at the task
+    int slice = 256; ///< sub-pixels along an edge that are drawn between two looks at the task
     int loop = -1;   ///< 1: march, then shade; 0: the plain loop; -1: not tried yet
 };
 

@@ -113,7 +113,11 @@ void addLayer(Tables& tables, const PlanLayer& plan, const KernelLayer& layer, c
 SceneTables sceneTables(const RenderPlan& plan, const KernelScene& scene) {
     SceneTables out;
     Tables tables(out);
-    tables.addNumbers("visibility", scene.visibility, static_cast<std::size_t>(scene.lastEntry) + 2);
+    std::vector<float> visibility(scene.visibility, scene.visibility + static_cast<std::size_t>(scene.lastEntry) + 2);
+    for (std::size_t i = 0; i + 1 < visibility.size(); ++i) {
+        visibility[i] = std::max(visibility[i], visibility[i + 1]); // of the interval behind the entry: one read tells
+    }
+    tables.addNumbers("visibility", visibility.data(), visibility.size());
     for (std::size_t i = 0; i < plan.layers.size(); ++i) {
         addLayer(tables, plan.layers[i], scene.layers[i], std::to_string(i));
     }

@@ -149,8 +149,9 @@ void TextureUnits::bind(const std::string& uniform, GLenum target, GLuint textur
     program_.set(uniform, found->second);
 }
 
-SceneTextures::SceneTextures(Device& device, const RenderPlan& plan, const SceneTables& tables)
-    : device_(device), plan_(plan), tables_(tables) {
+SceneTextures::SceneTextures(Device& device, const RenderPlan& plan, const KernelScene& scene,
+                             const SceneTables& tables)
+    : device_(device), plan_(plan), scene_(scene), tables_(tables) {
     const Functions& gl = device.gl();
     if (static_cast<int>(std::max(tables.numbers.size(), tables.colours.size())) > device.facts().largestTable) {
         throw Error(ErrorKind::noOpenGl, {"this figure cannot be drawn with OpenGL", "",
@@ -222,6 +223,11 @@ void SceneTextures::bindPage(const Page& page, TextureUnits& units, Program& pro
         }
     };
     bind("field", "storedField", plan_.field);
+    // The march's own reading: table entry = texel * x + y.
+    const float unit = kernelScale(plan_.field->type());
+    const glm::vec2 stored = formOf(plan_.field->type(), page.voxels, device_.facts()).stored;
+    program.set("entryOfTexel",
+                glm::vec2(stored.x * scene_.tableScale * unit, stored.y * scene_.tableScale * unit + scene_.tableBias));
     bind("gradientField", "storedGradient",
          plan_.gradient == GradientEstimator::central ? nullptr : plan_.gradientField);
     bind("bendField", "storedBend", plan_.bendField);
@@ -243,6 +249,9 @@ void SceneTextures::bindPage(const Page& page, TextureUnits& units, Program& pro
     statistics(plan_.axisMeasures, "1");
     program.set("pageFirst", page.firstVoxel);
     program.set("pageSize", glm::vec3(page.voxels));
+    const glm::dvec3 size(page.voxels);
+    program.set("placeScale", glm::vec3(1.0 / size));
+    program.set("placeShift", glm::vec3((-0.5 - glm::dvec3(page.firstVoxel)) / size));
     program.set("pageLow", page.lowCell);
     program.set("pageHigh", page.highCell);
 }

@@ -47,7 +47,7 @@ class TextureUnits {
 /// What does not depend on the page: tables, styles, skip grid, depth cues. `tables` are put on the card anew.
 class SceneTextures {
   public:
-    SceneTextures(Device& device, const RenderPlan& plan, const SceneTables& tables);
+    SceneTextures(Device& device, const RenderPlan& plan, const KernelScene& scene, const SceneTables& tables);
     void bind(TextureUnits& units, Program& program) const;
     /// And what does: voxels. Puts them on the card where they are not there.
     void bindPage(const Page& page, TextureUnits& units, Program& program) const;
@@ -58,6 +58,7 @@ class SceneTextures {
 
     Device& device_;
     const RenderPlan& plan_;
+    const KernelScene& scene_;
     const SceneTables& tables_;
     Buffer numbers_;
     Buffer colours_;

@@ -479,6 +479,14 @@
         <source>Drag over a structure in the picture: the chosen layer comes to show its values</source>
         <translation>Über eine Struktur im Bild ziehen: Die gewählte Ebene zeigt dann auch ihre Werte</translation>
     </message>
+    <message>
+        <source>Pictures dra&amp;wn by</source>
+        <translation>Bilder &amp;gezeichnet von</translation>
+    </message>
+    <message>
+        <source>What draws the pictures: a graphics card by OpenGL, or the processor; the change shows at the next start</source>
+        <translation>Was die Bilder zeichnet: eine Grafikkarte mit OpenGL oder der Prozessor; die Änderung gilt ab dem nächsten Start</translation>
+    </message>
 </context>
 <context>
     <name>Axes</name>
@@ -2745,6 +2753,33 @@
         <source>small</source>
         <extracomment>Names inside a sentence: translate to &quot;small&quot; or to &quot;as they are&quot; (nouns keep their capital), in these words.</extracomment>
         <translation>as they are</translation>
+    </message>
+</context>
+<context>
+    <name>StudioBackend</name>
+    <message>
+        <source>Graphics card where there is one</source>
+        <translation>Grafikkarte, wo es eine gibt</translation>
+    </message>
+    <message>
+        <source>OpenGL</source>
+        <translation>OpenGL</translation>
+    </message>
+    <message>
+        <source>Processor</source>
+        <translation>Prozessor</translation>
+    </message>
+    <message>
+        <source>OpenGL, %1</source>
+        <translation>OpenGL, %1</translation>
+    </message>
+    <message>
+        <source>processor, %1</source>
+        <translation>Prozessor, %1</translation>
+    </message>
+    <message>
+        <source>processor, %1 (%2)</source>
+        <translation>Prozessor, %1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -5624,6 +5659,14 @@ Label %2, %3 Voxel</translation>
         <source>Press to read it above the picture</source>
         <translation>Drücken, um es über dem Bild zu lesen</translation>
     </message>
+    <message>
+        <source>OpenGL</source>
+        <translation>OpenGL</translation>
+    </message>
+    <message>
+        <source>processor</source>
+        <translation>Prozessor</translation>
+    </message>
 </context>
 <context>
     <name>limner::PositionForm</name>
@@ -7834,6 +7877,10 @@ Label %2, %3 Voxel</translation>
     <message>
         <source>The language changes when Limner is started again</source>
         <translation>Die Sprache wechselt beim nächsten Start von Limner</translation>
+    </message>
+    <message>
+        <source>What draws changes when Limner is started again; now: %1</source>
+        <translation>Was zeichnet, wechselt beim nächsten Start von Limner; jetzt: %1</translation>
     </message>
 </context>
 <context>

@@ -5,7 +5,10 @@ uniform vec3 lastCell;    // largest position that still has a cell
 uniform sampler3D field;
 uniform vec2 storedField; // stored number = texture's * x + y
 
-vec3 texturePlace(vec3 q) { return (q - 0.5 - vec3(pageFirst)) / pageSize; }
+uniform vec3 placeScale;  // place in the textures = q * placeScale + placeShift
+uniform vec3 placeShift;
+
+vec3 texturePlace(vec3 q) { return q * placeScale + placeShift; }
 
 /// Whole voxels around a cell, kept inside the texture, from one before the cell's lower voxel.
 struct Around {

@@ -1,8 +1,9 @@
 // The march along a ray: skip empty space, sample, shade, compose.
 uniform usampler3D distances; // blocks to the nearest one that can contribute
+uniform vec2 entryOfTexel;    // the same from what the field's texture holds
 uniform vec2 entryOfStored;   // entry of the value's table = stored * x + y
 uniform vec2 visibleEntries;  // up to the first and from the second on nothing shows
-uniform int visibility;       // table
+uniform int visibility;       // table: > 0 where anything shows between an entry and the next
 uniform ivec3 pageLow;  // cells whose samples are this pass's
 uniform ivec3 pageHigh;
 
@@ -15,10 +16,8 @@ uniform sampler2D rayStatePassed;
 uniform int lastPass;
 #endif
 
-const int kBurst = 4;          // steps between two looks at the skip grid
+const float kBurst = 8.0;          // steps between two looks at the skip grid
 const float kBlockCells = 4.0; // along an edge of a block
-
-vec3 positionAt(Ray ray, float s) { return min(ray.start + ray.step * s, lastCell); }
 
 /// The stretch of the lattice's sample k that is inside the visible part: begin and length, in steps.
 vec2 segmentAt(Ray ray, float k) {
@@ -39,9 +38,14 @@ float pastEmpty(Ray ray, float k) {
     return away > 0.0 ? max(next, k + 1.0) : k;
 }
 
-bool isOwn(vec3 q) {
+/// The ray in the field's texture.
+struct Line {
+    vec3 start, step;
+};
+
+bool isOwn(Ray ray, float s) {
 #if PAGED
-    ivec3 cell = ivec3(q);
+    ivec3 cell = ivec3(positionAt(ray, s));
     return all(greaterThanEqual(cell, pageLow)) && all(lessThan(cell, pageHigh));
 #else
     return true;
@@ -49,17 +53,18 @@ bool isOwn(vec3 q) {
 }
 
 /// Looks up sample k; whether it can be seen.
-bool look(Ray ray, float k, out Sample found) {
+bool look(Ray ray, Line line, float k, out Sample found) {
     vec2 part = segmentAt(ray, k);
     found.part = part.y;
-    found.q = positionAt(ray, part.x + part.y * phase);
-    found.entry = fieldAt(found.q) * entryOfStored.x + entryOfStored.y;
+    found.s = part.x + part.y * phase;
 #if SPLINE
-    found.entry = clamp(found.entry, 0.0, lastEntry);
+    found.entry = clamp(fieldAt(positionAt(ray, found.s)) * entryOfStored.x + entryOfStored.y, 0.0, lastEntry);
+#else
+    found.entry = textureLod(field, line.start + line.step * found.s, 0.0).r * entryOfTexel.x + entryOfTexel.y;
 #endif
-    bool inRange = found.entry > visibleEntries.x && found.entry < visibleEntries.y && isOwn(found.q);
+    bool inRange = found.entry > visibleEntries.x && found.entry < visibleEntries.y && isOwn(ray, found.s);
     found.entry = max(found.entry, 0.0);
-    return inRange && readTable(visibility, found.entry) > 0.0;
+    return inRange && numberAt(visibility + int(found.entry)) > 0.0;
 }
 
 #if PAGED
@@ -78,6 +83,7 @@ void cutToPage(Ray ray, inout float k, inout float end) {
 
 void main() {
     Ray ray = rayOf(gl_FragCoord.xy - float(kHalfTile));
+    Line line = Line(texturePlace(ray.start), ray.step * placeScale);
     Pixel pixel = beginPixel();
     vec2 counts = vec2(0.0);
     float k = floor(ray.first);
@@ -101,11 +107,13 @@ void main() {
                 next = pastEmpty(ray, k);
             }
             k = next;
-            for (int i = 0; i < kBurst && k < end && !seen; ++i) {
-                seen = look(ray, k, found);
-                counts.x += 1.0;
+            float from = k;
+            float until = min(k + kBurst, end);
+            while (k < until && !seen) {
+                seen = look(ray, line, k, found);
                 k += 1.0;
             }
+            counts.x += k - from;
         }
         if (seen) {
             counts.y += 1.0;
@@ -121,7 +129,7 @@ void main() {
         } else {
             Sample found;
             counts.x += 1.0;
-            if (look(ray, k, found)) {
+            if (look(ray, line, k, found)) {
                 counts.y += 1.0;
                 addSample(pixel, ray, found);
             }

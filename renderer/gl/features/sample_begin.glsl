@@ -1,13 +1,15 @@
 /// A sample that can be seen.
 struct Sample {
-    vec3 q;
+    float s; // where on the ray
     float entry;
     float part;
 };
 
+vec3 positionAt(Ray ray, float s) { return min(ray.start + ray.step * s, lastCell); }
+
 /// All layers of one sample, one behind the other.
 void addSample(inout Pixel pixel, Ray ray, Sample found) {
-    Facts facts = measure(found.q, ray.view, found.entry, found.part);
+    Facts facts = measure(positionAt(ray, found.s), ray.view, found.entry, found.part);
 #if IMPORTANCE
     Measures0 measures = measuresOf0(facts);
     float dark = 1.0;

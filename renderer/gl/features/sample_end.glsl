@@ -1,4 +1,4 @@
 #if IMPORTANCE
-    endWhereCertain(pixel, found.q);
+    endWhereCertain(pixel, facts.q);
 #endif
 }

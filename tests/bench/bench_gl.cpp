@@ -1,0 +1,103 @@
+// The OpenGL backend: what a frame costs with styles and contours, what its shaders cost to make, and how far it is
+// from the SIMD backend, side by side. Which library draws, and on what, is in the heading.
+#include "bench_scene.h"
+
+#include "core/base/error.h"
+#include "renderer/gl/gl_backend.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+
+namespace limner::bench {
+namespace {
+
+struct Row {
+    std::string name;
+    std::shared_ptr<const RenderPlan> plan;
+    Times gl;
+    Times cpu;
+    double firstMs = 0; ///< shader compiled, data put on the card
+    double rmse = 0;
+};
+
+std::shared_ptr<const RenderPlan> planOf(const Figure& figure, int size) {
+    Planner planner;
+    Task task;
+    PlanRequest request;
+    request.size = {size, size};
+    return planner.plan(figure, request, task);
+}
+
+Figure withContours(Figure figure) {
+    figure.layers.front().contours.emplace();
+    return figure;
+}
+
+double timed(Row& row, const Backend& backend, Times* times, Picture* picture = nullptr) {
+    Task task;
+    const Stopwatch watch;
+    RenderResult result = backend.render(*row.plan, Tile{{0, 0}, row.plan->size}, task);
+    const double ms = watch.ms();
+    if (times != nullptr) {
+        times->add(watch);
+    }
+    if (picture != nullptr) {
+        *picture = std::move(result.picture);
+    }
+    return ms;
+}
+
+void run(const std::string& library, int rounds) {
+    const auto gl = makeGlBackend(limner::gl::contextFactory(library));
+    const auto cpu = makeCpuBackend();
+    std::vector<Row> rows;
+    const auto add = [&](const std::string& name, const Figure& figure, int size) {
+        rows.push_back({name, planOf(figure, size), {}, {}, 0, 0});
+    };
+    const Scene scene = loadScene(std::filesystem::path(LIMNER_TEST_DATA) / "volumes/cthead_unc.nrrd");
+    const Figure phong = sceneFigure(scene, Shading::phong, 0.5);
+    const Figure style = sceneFigure(scene, Shading::style, 0.5);
+    add("Phong, 512", phong, 512);
+    add("lit spheres, 512", style, 512);
+    add("lit spheres, contours, 512", withContours(style), 512);
+    add("Phong, 256", phong, 256);
+    for (Row& row : rows) {
+        Picture drawn;
+        Picture expected;
+        row.firstMs = timed(row, *gl, nullptr, &drawn);
+        timed(row, *cpu, nullptr, &expected);
+        row.rmse = rmse(rgb8OverBlack(drawn), rgb8OverBlack(expected));
+    }
+    for (int round = 0; round < rounds; ++round) {
+        for (Row& row : rows) {
+            timed(row, *gl, &row.gl);
+            timed(row, *cpu, &row.cpu);
+        }
+    }
+    const auto facts = gl->facts();
+    std::cout << "\nOpenGL by " << facts.library << ": " << facts.renderer << ", " << facts.version << "\n\n";
+    printRow({"figure", "gl ms (min-max)", "first picture ms", "to Phong", "cpu ms (min-max)", "gl / cpu", "RMSE"});
+    printRow({"---", "---", "---", "---", "---", "---", "---"});
+    for (const Row& row : rows) {
+        printRow({row.name, row.gl.spread(), number(row.firstMs, 0),
+                  number(row.gl.median() / rows.front().gl.median(), 2), row.cpu.spread(),
+                  number(row.gl.median() / row.cpu.median(), 2), number(row.rmse, 6)});
+    }
+}
+
+} // namespace
+} // namespace limner::bench
+
+int main(int argc, char** argv) {
+    using namespace limner::bench;
+    std::cout << machineFacts() << '\n';
+    const int rounds = argc > 2 ? std::atoi(argv[2]) : 5;
+    try {
+        run(argc > 1 ? argv[1] : "auto", rounds);
+    } catch (const limner::Error& error) {
+        std::cerr << error.what() << '\n';
+        return 1;
+    }
+    return 0;
+}
