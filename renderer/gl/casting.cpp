@@ -7,6 +7,7 @@
 #include "renderer/scene/scene_builder.h"
 #include "renderer/scene/sub_pixels.h"
 
+#include <glm/geometric.hpp>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -43,6 +44,20 @@ std::vector<Block> blocksOf(const Tile& tile, int subPixels) {
     return blocks;
 }
 
+/// Samples of a ray in one pass: llvmpipe ends every loop after 65,535 rounds, and a driver's watchdog a long draw.
+constexpr int kMostSamples = 32768;
+
+/// How many passes the longest ray through a plan's volume takes.
+int stretchesOf(const RenderPlan& plan) {
+    const glm::dvec3 box = plan.volume->grid().voxelToMmMatrix() * glm::dvec3(plan.volume->grid().dims);
+    const glm::dmat3 axes = plan.volume->grid().voxelToMmMatrix();
+    double longest = glm::length(box); // of the box's four diagonals
+    for (int axis = 0; axis < 3; ++axis) {
+        longest = std::max(longest, glm::length(box - 2.0 * axes[axis] * double(plan.volume->grid().dims[axis])));
+    }
+    return 1 + static_cast<int>(longest / plan.lattice.stepMm / kMostSamples);
+}
+
 constexpr int kCountBlock = 16; ///< edge of the blocks whose counts a sum takes: 2^24 samples and more are exact
 
 class Casting {
@@ -52,27 +67,27 @@ class Casting {
     Casting(Device& device, CastingMemory& memory, const RenderPlan& plan, Task& task)
         : device_(device), gl_(device.gl()), memory_(memory), plan_(plan), task_(task), built_(plan),
           tables_(sceneTables(plan, built_.scene())), textures_(device, plan, built_.scene(), tables_),
-          grid_(pagesOf(plan, device)) {}
+          grid_(pagesOf(plan, device)), stretches_(stretchesOf(plan)),
+          passes_(stretches_ * static_cast<int>(grid_.pages.size())) {}
 
     RenderResult run(const Tile& tile) {
         begin();
         RenderResult result{Picture(tile.size), 0, 0};
         const std::vector<Block> blocks = blocksOf(tile, plan_.subPixels);
-        useProgram(memory_.loop != 0);
         if (memory_.loop < 0) {
             chooseLoop(blocks[blocks.size() / 2]);
         }
-        const std::vector<Page> pages = frontToBack(grid_, built_.scene());
-        if (pages.size() == 1) {
-            textures_.bindPage(pages.front(), *units_, *program_);
+        if (passes_ == 1) {
             for (const Block& block : blocks) {
+                useProgram(memory_.loop == 1, importanceReaches(block));
+                textures_.bindPage(grid_.pages.front(), *units_, *program_);
                 Target& target = targetAt(0);
                 clear(target);
                 draw(block, target);
                 take(block, target, tile, result);
             }
         } else {
-            drawPages(pages, blocks);
+            drawPasses(blocks);
             for (std::size_t i = 0; i < blocks.size(); ++i) {
                 take(blocks[i], targetAt(i + 1), tile, result);
             }
@@ -92,9 +107,9 @@ class Casting {
         gl_.Viewport(0, 0, kTile, kTile);
     }
 
-    void useProgram(bool marchThenShade) {
-        const bool lenses = plan_.importance && !plan_.importance->lenses.empty();
-        const ProgramChoices choices{grid_.pages.size() > 1, marchThenShade, lenses};
+    void useProgram(bool marchThenShade, bool byImportance) {
+        const bool lenses = byImportance && !plan_.importance->lenses.empty();
+        const ProgramChoices choices{passes_ > 1, byImportance, marchThenShade, lenses};
         program_ = &device_.program(wholeTarget(), castingProgram(plan_, built_.scene(), choices));
         program_->use();
         units_.emplace(device_, *program_);
@@ -107,7 +122,7 @@ class Casting {
     void chooseLoop(const Block& block) {
         std::array<double, 2> seconds{};
         for (const int loop : {0, 1}) {
-            useProgram(loop == 1);
+            useProgram(loop == 1, plan_.importance.has_value());
             textures_.bindPage(grid_.pages.front(), *units_, *program_);
             Block piece = block;
             piece.low = (block.low + block.high) / 2 - glm::min((block.high - block.low) / 2, glm::ivec2(32));
@@ -121,7 +136,20 @@ class Casting {
             }
         }
         memory_.loop = seconds[1] < seconds[0] ? 1 : 0;
-        useProgram(memory_.loop == 1);
+    }
+
+    /// Where no lens reaches composition is the ordinary one. By blocks: the picture must not depend on the tiling.
+    [[nodiscard]] bool importanceReaches(const Block& block) const {
+        if (!plan_.importance) {
+            return false;
+        }
+        const double perFigure = 1.0 / plan_.subPixels / plan_.size.y;
+        return !lensesMiss(plan_.importance->lenses, glm::dvec2(block.corner) * perFigure, endOf(block) * perFigure);
+    }
+
+    /// Of the picture's part in a block, whatever of it is wanted, in sub-pixels.
+    [[nodiscard]] glm::dvec2 endOf(const Block& block) const {
+        return glm::min(block.corner + kTile, plan_.size * plan_.subPixels);
     }
 
     Target& targetAt(std::size_t index) {
@@ -193,10 +221,10 @@ class Casting {
         if (!built_.ahead()) {
             return;
         }
+        // Where a ray ends must not depend on the tiling: bounds are the whole block's.
         const double perPixel = 1.0 / plan_.subPixels;
-        // Of the whole block, whatever of it is wanted: where a ray ends must not depend on the tiling.
         const glm::dvec2 low = glm::dvec2(block.corner) * perPixel;
-        const glm::dvec2 high = glm::dvec2(block.corner + kTile) * perPixel;
+        const glm::dvec2 high = endOf(block) * perPixel;
         program_->set("ahead", std::span<const float>(built_.ahead()->behind(low, high)));
         if (!plan_.importance->lenses.empty()) {
             setWeights(block);
@@ -219,23 +247,32 @@ class Casting {
         units_->bind("weights", GL_TEXTURE_2D, weights_.id());
     }
 
-    /// A volume in parts: all blocks of a page before the next page, the state of the rays passed on. Target 0 is the
-    /// one that is drawn into while a block's own is read.
-    void drawPages(const std::vector<Page>& pages, const std::vector<Block>& blocks) {
+    /// A volume in parts, or very long rays in stretches: all blocks of a part before the next, the state of the rays
+    /// passed on. Target 0 is the one that is drawn into while a block's own is read.
+    void drawPasses(const std::vector<Block>& blocks) {
+        useProgram(memory_.loop == 1, plan_.importance.has_value());
         for (std::size_t i = 0; i < blocks.size(); ++i) {
             clear(targetAt(i + 1));
         }
-        for (std::size_t p = 0; p < pages.size(); ++p) {
+        int pass = 0;
+        for (const Page& page : frontToBack(grid_, built_.scene())) {
             textures_.bind(*units_, *program_); // what all pages read is used anew, so that no page takes its room
-            textures_.bindPage(pages[p], *units_, *program_);
-            program_->set("lastPass", p + 1 == pages.size() ? 1 : 0);
-            for (std::size_t i = 0; i < blocks.size(); ++i) {
-                units_->bind("picturePassed", GL_TEXTURE_2D, targetAt(i + 1).colours.id());
-                units_->bind("rayStatePassed", GL_TEXTURE_2D, targetAt(i + 1).state.id());
-                clear(targetAt(0));
-                draw(blocks[i], targetAt(0));
-                std::swap(targetAt(0), targetAt(i + 1));
+            textures_.bindPage(page, *units_, *program_);
+            for (int stretch = 0; stretch < stretches_; ++stretch) {
+                program_->set("stretch", glm::vec2(stretch, stretch + 1) * float(kMostSamples));
+                program_->set("lastPass", ++pass == passes_ ? 1 : 0);
+                passOver(blocks);
             }
+        }
+    }
+
+    void passOver(const std::vector<Block>& blocks) {
+        for (std::size_t i = 0; i < blocks.size(); ++i) {
+            units_->bind("picturePassed", GL_TEXTURE_2D, targetAt(i + 1).colours.id());
+            units_->bind("rayStatePassed", GL_TEXTURE_2D, targetAt(i + 1).state.id());
+            clear(targetAt(0));
+            draw(blocks[i], targetAt(0));
+            std::swap(targetAt(0), targetAt(i + 1));
         }
     }
 
@@ -296,6 +333,8 @@ class Casting {
     SceneTables tables_;
     SceneTextures textures_;
     PageGrid grid_;
+    int stretches_; ///< of a ray
+    int passes_;
     Program* program_ = nullptr;
     std::optional<TextureUnits> units_;
     Texture weights_;

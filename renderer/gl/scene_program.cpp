@@ -104,8 +104,7 @@ void defineFigure(ProgramSource& source, const RenderPlan& plan, const KernelSce
     flag(source, "CUE_AMBIENT", scene.cues.ambient.values != nullptr);
     flag(source, "CUE_SHADOW", scene.cues.shadow.values != nullptr);
     flag(source, "CUE_HALO", scene.cues.halo.values != nullptr);
-    flag(source, "IMPORTANCE", plan.importance.has_value());
-    flag(source, "UNOCCLUSION", plan.importance && scene.importance.unocclusion > 0);
+    flag(source, "UNOCCLUSION", scene.importance.unocclusion > 0);
 }
 
 bool anyLayer(const KernelScene& scene, bool (*holds)(const KernelLayer&)) {
@@ -118,7 +117,7 @@ bool anyLayer(const KernelScene& scene, bool (*holds)(const KernelLayer&)) {
 }
 
 /// What layers are made of, each file once.
-void addFigure(ProgramSource& source, const RenderPlan& plan, const KernelScene& scene) {
+void addFigure(ProgramSource& source, const RenderPlan& plan, const KernelScene& scene, bool byImportance) {
     for (const char* name : {"math.glsl", "formulas.glsl", "tables.glsl", "rays.glsl", "field.glsl", "facts.glsl"}) {
         source.add(name);
     }
@@ -131,7 +130,7 @@ void addFigure(ProgramSource& source, const RenderPlan& plan, const KernelScene&
     if (plan.secondVolume) {
         source.add("second_volume.glsl");
     }
-    if (plan.importance) {
+    if (byImportance) {
         source.add("measures.glsl", 0);
     }
     if (plan.axisMeasures) {
@@ -149,6 +148,7 @@ ProgramSource castingProgram(const RenderPlan& plan, const KernelScene& scene, c
     defineConstants(source);
     defineFigure(source, plan, scene);
     flag(source, "PAGED", choices.paged);
+    flag(source, "IMPORTANCE", choices.byImportance);
     flag(source, "MARCH_THEN_SHADE", choices.marchThenShade);
     flag(source, "LENSES", choices.lenses);
     defineMeasures(source, scene.importance, "0");
@@ -157,7 +157,7 @@ ProgramSource castingProgram(const RenderPlan& plan, const KernelScene& scene, c
     for (int i = 0; i < scene.layerCount; ++i) {
         defineLayer(source, scene.layers[i], std::to_string(i));
     }
-    addFigure(source, plan, scene);
+    addFigure(source, plan, scene, choices.byImportance);
     for (int i = 0; i < scene.layerCount; ++i) {
         source.add("parts.glsl", i).add("layer.glsl", i);
     }

@@ -8,7 +8,9 @@ namespace limner::gl {
 
 /// How a plan's shader is to work, beside what the plan says.
 struct ProgramChoices {
-    bool paged = false; ///< the volume comes in several passes
+    bool paged = false; ///< the picture comes in several passes, the state of the rays handed on
+    /// Composition by importance, for a plan that has it: not where no lens reaches.
+    bool byImportance = false;
     /// Shading waits until all rays of a vector have a sample: for programs that draw on the processor.
     bool marchThenShade = false;
     bool lenses = false; ///< global weights differ from place to place

@@ -1,5 +1,7 @@
 #include "support/rendering.h"
 
+#include "support/gl_backend.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -76,7 +78,13 @@ int unsoundPixels(const Picture& picture) {
 
 double observedOrder(double errorCoarse, double errorFine) { return std::log2(errorCoarse / errorFine); }
 
-BackendTest::BackendTest() : backend_(GetParam() == "cpu" ? makeCpuBackend() : makeReferenceBackend()) {}
+BackendTest::BackendTest() {
+    if (GetParam() == "gl") {
+        backend_ = std::shared_ptr<const Backend>(sharedGl(), [](const Backend*) {}); // the program's own
+    } else {
+        backend_ = GetParam() == "cpu" ? makeCpuBackend() : makeReferenceBackend();
+    }
+}
 
 std::string backendName(const ::testing::TestParamInfo<std::string>& info) { return info.param; }
 

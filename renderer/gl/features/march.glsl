@@ -14,6 +14,7 @@ layout(location = 1) out vec4 rayState; // exponential, optical depth (-1 - it: 
 uniform sampler2D picturePassed;
 uniform sampler2D rayStatePassed;
 uniform int lastPass;
+uniform vec2 stretch; // samples of the ray that are this pass's: from, up to
 #endif
 
 const float kBurst = 8.0;          // steps between two looks at the skip grid
@@ -93,6 +94,8 @@ void main() {
     pixel = resumePixel(texelFetch(picturePassed, ivec2(gl_FragCoord.xy), 0), passed.xy);
     counts = passed.zw;
     cutToPage(ray, k, end);
+    k = max(k, stretch.x);
+    end = min(end, stretch.y);
 #endif
     bool more = ray.first < ray.end && k < end && !isDone(pixel);
 #if MARCH_THEN_SHADE

@@ -66,6 +66,14 @@ bool writesAPicture(const std::filesystem::path& folder) {
     return false;
 }
 
+TEST_F(WithScan, WithoutOpenGlTheProgramEndsWithFour) {
+    ASSERT_EQ(::setenv("MESA_GL_VERSION_OVERRIDE", "3.3", 1), 0); // a Mesa too old for the backend
+    Process program({"render", scan(), "-o", path("gl.png"), "--backend", "gl", "--gl", "osmesa"});
+    ::unsetenv("MESA_GL_VERSION_OVERRIDE");
+    EXPECT_EQ(program.wait(), 4);
+    EXPECT_FALSE(std::filesystem::exists(path("gl.png")));
+}
+
 TEST_F(WithScan, CtrlCEndsALongRenderWith130AndLeavesNoFile) {
     for (const int signal : {SIGINT, SIGTERM}) {
         // Minutes of work on any machine.
