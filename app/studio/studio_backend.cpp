@@ -1,7 +1,10 @@
 #include "app/studio/studio_backend.h"
 
+#include "app/studio/qt_context.h"
+
 #include "core/base/error.h"
 #include "renderer/backend_choice.h"
+#include "renderer/gl/gl_backend.h"
 
 #include <QCoreApplication>
 #include <QSettings>
@@ -15,6 +18,16 @@ constexpr auto kSetting = "render/backend";
 QString& inForce() {
     static QString words;
     return words;
+}
+
+/// Where OpenGL is asked for and no library of its own gives a context, Qt may.
+std::unique_ptr<const Backend> makeChosen() {
+    const std::string chosen = chosenStudioBackend().toStdString();
+    try {
+        return makeBackend(chosen);
+    } catch (const Error&) {
+        return makeGlBackend(qtContexts());
+    }
 }
 
 } // namespace
@@ -42,7 +55,7 @@ std::unique_ptr<const Backend> makeStudioBackend() {
     std::unique_ptr<const Backend> backend;
     QString why;
     try {
-        backend = makeBackend(chosenStudioBackend().toStdString());
+        backend = makeChosen();
         if (chosenStudioBackend() == "auto" && backend->name() == "cpu")
             why = QString::fromStdString(automaticBackend().reason);
     } catch (const Error& error) {

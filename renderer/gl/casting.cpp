@@ -44,8 +44,9 @@ std::vector<Block> blocksOf(const Tile& tile, int subPixels) {
     return blocks;
 }
 
-/// Samples of a ray in one pass: llvmpipe ends every loop after 65,535 rounds, and a driver's watchdog a long draw.
-constexpr int kMostSamples = 32768;
+/// Samples of a ray in one pass: llvmpipe ends all loops of a ray after 65,535 rounds together, of which a sample that
+/// shows takes about ten; and a driver's watchdog ends a long draw.
+constexpr int kMostSamples = 4096;
 
 /// How many passes the longest ray through a plan's volume takes.
 int stretchesOf(const RenderPlan& plan) {
@@ -79,7 +80,7 @@ class Casting {
         }
         if (passes_ == 1) {
             for (const Block& block : blocks) {
-                useProgram(memory_.loop == 1, importanceReaches(block));
+                useProgram(memory_.loop == 1, importanceReaches(block), false);
                 textures_.bindPage(grid_.pages.front(), *units_, *program_);
                 Target& target = targetAt(0);
                 clear(target);
@@ -107,9 +108,10 @@ class Casting {
         gl_.Viewport(0, 0, kTile, kTile);
     }
 
-    void useProgram(bool marchThenShade, bool byImportance) {
+    /// `passes`: whether the rays' state comes from a pass before.
+    void useProgram(bool marchThenShade, bool byImportance, bool passes) {
         const bool lenses = byImportance && !plan_.importance->lenses.empty();
-        const ProgramChoices choices{passes_ > 1, byImportance, marchThenShade, lenses};
+        const ProgramChoices choices{passes, byImportance, marchThenShade, lenses};
         program_ = &device_.program(wholeTarget(), castingProgram(plan_, built_.scene(), choices));
         program_->use();
         units_.emplace(device_, *program_);
@@ -122,7 +124,7 @@ class Casting {
     void chooseLoop(const Block& block) {
         std::array<double, 2> seconds{};
         for (const int loop : {0, 1}) {
-            useProgram(loop == 1, plan_.importance.has_value());
+            useProgram(loop == 1, plan_.importance.has_value(), false);
             textures_.bindPage(grid_.pages.front(), *units_, *program_);
             Block piece = block;
             piece.low = (block.low + block.high) / 2 - glm::min((block.high - block.low) / 2, glm::ivec2(32));
@@ -250,7 +252,7 @@ class Casting {
     /// A volume in parts, or very long rays in stretches: all blocks of a part before the next, the state of the rays
     /// passed on. Target 0 is the one that is drawn into while a block's own is read.
     void drawPasses(const std::vector<Block>& blocks) {
-        useProgram(memory_.loop == 1, plan_.importance.has_value());
+        useProgram(memory_.loop == 1, plan_.importance.has_value(), true);
         for (std::size_t i = 0; i < blocks.size(); ++i) {
             clear(targetAt(i + 1));
         }

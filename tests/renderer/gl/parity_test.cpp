@@ -35,8 +35,11 @@ Distance distanceOf(const Picture& a, const Picture& b) {
 }
 
 constexpr double kRmse = 0.002;
-/// Pixels off by more than 2 %: along discontinuities, where a rounding decides between two sides.
+/// Pixels off by more than 2 %: along discontinuities, where a rounding decides between two sides, and where an opacity
+/// is the root of a difference next to 0 (seed 94: three pixels by 3 %, in each of which both backends are 10 % from
+/// the exact picture). Four of the small pictures'.
 constexpr double kShare = 0.001;
+constexpr double kFewPixels = 4;
 
 void expectAlike(const GlBackend& gl, const RenderPlan& plan, const std::string& what) {
     Task task;
@@ -46,7 +49,8 @@ void expectAlike(const GlBackend& gl, const RenderPlan& plan, const std::string&
     const RenderResult drawn = renderLayers(plan, gl, whole, task);
     const Distance d = distanceOf(drawn.picture, expected.picture);
     EXPECT_LT(d.rmse, kRmse) << what;
-    EXPECT_LE(d.share, kShare) << what;
+    const double pixels = static_cast<double>(plan.size.x) * plan.size.y;
+    EXPECT_LE(d.share, std::max(kShare, kFewPixels / pixels)) << what;
     EXPECT_EQ(testing::unsoundPixels(drawn.picture), 0) << what;
     ::testing::Test::RecordProperty("rmse " + what, std::to_string(d.rmse));
 }
