@@ -122,6 +122,12 @@ enum class Interpolation { automatic, linear, tricubic, smooth };
 /// would not fit otherwise.
 enum class VoxelPrecision { full, eightBits };
 
+/// What a tolerance bounds, against the same figure drawn without any error of sampling (spec accuracy.md 1.3, 1.9):
+/// the colour difference CIEDE2000 that 95 % of the pixels stay below, the largest difference of a channel of a pixel,
+/// or the root of the mean square of these; the last two as shares of the full range.
+enum class ErrorMetric { ciede2000, largest, rootMeanSquare };
+
+/// What trades error against time. The search for a tolerance (renderer/accuracy/tolerance.h) chooses among these.
 struct Quality {
     double stepVoxels = 0.5; ///< of the smallest spacing
     GradientEstimator gradient = GradientEstimator::central;
@@ -129,7 +135,13 @@ struct Quality {
     double earlyTermination = 0.001; ///< a ray ends where its transmittance is below this
     int samplesPerPixel = 1;         ///< 1, 4 or 16, on a regular grid
     VoxelPrecision precision = VoxelPrecision::full;
+    /// Opacity and place of colour by integrals over the values between two ends of a step instead of the value at its
+    /// middle: thin peaks of a transfer function are not missed.
+    bool preintegration = false;
+    bool adaptiveStep = false; ///< longer steps where neither the field nor the transfer function asks for short ones
+    int tableEntries = 0;      ///< of a transfer function; 0: as many as its narrowest feature needs
     std::optional<double> tolerance;
+    ErrorMetric toleranceMetric = ErrorMetric::ciede2000;
     friend bool operator==(const Quality&, const Quality&) = default;
 };
 

@@ -450,11 +450,35 @@ std::span<const Field> fieldsOf<Quality>() {
                                            .cost = kFields,
                                            .choices = {"full", "8-bit"},
                                            .omitDefault = true}),
+        field<&T::preintegration>("preintegration",
+                                  {.label = "Pre-integration",
+                                   .help = "Opacity from all values between two samples, not from one at their "
+                                           "middle: thin peaks of a transfer function are not missed.",
+                                   .omitDefault = true}),
+        field<&T::adaptiveStep>("adaptive_step", {.label = "Adaptive step",
+                                                  .help = "Longer steps where nothing changes along the ray.",
+                                                  .omitDefault = true}),
+        field<&T::tableEntries>("table_entries",
+                                {.label = "Table entries",
+                                 .help = "Of a transfer function; 0: as many as its narrowest feature needs.",
+                                 .low = 0,
+                                 .high = 1 << 20,
+                                 .cost = kPlan,
+                                 .omitDefault = true}),
         field<&T::tolerance>("tolerance", {.label = "Tolerance",
-                                           .help = "Largest error asked for; the step is chosen to meet it.",
+                                           .help = "Largest error asked for; step and other settings are chosen to "
+                                                   "meet it. As a colour difference 3 is a draft, 1.5 fits screens, "
+                                                   "0.7 print.",
                                            .low = 0,
-                                           .high = 1,
+                                           .high = 100,
                                            .lowExcluded = true}),
+        field<&T::toleranceMetric>("tolerance_metric",
+                                   {.label = "Measured as",
+                                    .help = "What the tolerance bounds: the colour difference CIEDE2000 that 95 % of "
+                                            "the pixels stay below, the largest difference of a pixel's channel "
+                                            "(0 to 1), or the root mean square of these.",
+                                    .choices = {"ciede2000", "max", "rmse"},
+                                    .omitDefault = true}),
     };
     return fields;
 }

@@ -41,7 +41,11 @@ struct Studio {
     }
     bool openSample() {
         window->openSample();
-        return pumpUntil([this] { return !window->document().empty(); }) && waitForFinal();
+        return pumpUntil([this] { return !window->document().empty(); }) && waitForResources() && waitForFinal();
+    }
+    /// Styles, presets and themes are read beside the window's thread: on a slow machine the sample is there first.
+    bool waitForResources() {
+        return pumpUntil([this] { return window->findChild<QAction*>("theme.blackboard") != nullptr; });
     }
     void trigger(const char* id) { window->actions().at(id)->trigger(); }
     QTemporaryDir styles;
