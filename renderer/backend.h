@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 
 namespace limner {
@@ -30,7 +31,15 @@ class Backend {
     [[nodiscard]] virtual std::string name() const = 0;
     /// Throws Error(cancelled) within 20 ms of a cancellation; on a graphics card after the piece that it is drawing.
     virtual RenderResult render(const RenderPlan& plan, const Tile& tile, Task& task) const = 0;
+    /// Several tiles one below the other in one picture as wide as the widest; what a tile does not cover is clear.
+    /// A backend that prepares a plan before it draws prepares it once for all of them.
+    virtual RenderResult renderTiles(const RenderPlan& plan, std::span<const Tile> tiles, Task& task) const;
 };
+
+/// An empty picture that several tiles fit into, one below the other.
+Picture stackOf(std::span<const Tile> tiles);
+/// Copies a tile's picture to its place in a stack, from row `top` on.
+void stackAt(int top, const Picture& tile, Picture& stack);
 
 /// The SIMD ray caster (renderer/cpu). Uses all threads of the current TBB arena.
 std::unique_ptr<Backend> makeCpuBackend();

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <vector>
 
 namespace limner {
 
@@ -64,11 +65,36 @@ class CpuBackend : public Backend {
     [[nodiscard]] std::string name() const override { return "cpu"; }
 
     RenderResult render(const RenderPlan& plan, const Tile& tile, Task& task) const override {
-        RenderResult result{Picture(tile.size), 0, 0};
+        return plan.layers.empty() ? RenderResult{Picture(tile.size), 0, 0}
+                                   : renderTile(plan, BuiltScene(plan), tile, task);
+    }
+
+    RenderResult renderTiles(const RenderPlan& plan, std::span<const Tile> tiles, Task& task) const override {
+        RenderResult all{stackOf(tiles), 0, 0};
         if (plan.layers.empty()) {
-            return result;
+            return all;
         }
         const BuiltScene built(plan);
+        std::vector<int> tops(tiles.size());
+        for (std::size_t i = 1; i < tiles.size(); ++i) {
+            tops[i] = tops[i - 1] + tiles[i - 1].size.y;
+        }
+        std::atomic<std::uint64_t> samples{0};
+        std::atomic<std::uint64_t> shaded{0};
+        tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t i) {
+            const RenderResult one = renderTile(plan, built, tiles[i], task);
+            stackAt(tops[i], one.picture, all.picture);
+            samples += one.samples;
+            shaded += one.shaded;
+        });
+        all.samples = samples;
+        all.shaded = shaded;
+        return all;
+    }
+
+  private:
+    static RenderResult renderTile(const RenderPlan& plan, const BuiltScene& built, const Tile& tile, Task& task) {
+        RenderResult result{Picture(tile.size), 0, 0};
         const BlockRange range = blocksOf(tile, plan.subPixels);
         std::atomic<std::uint64_t> samples{0};
         std::atomic<std::uint64_t> shaded{0};

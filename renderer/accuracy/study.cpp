@@ -1,0 +1,244 @@
+#include "renderer/accuracy/study.h"
+
+#include "core/base/error.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+namespace limner::accuracy {
+
+namespace {
+
+constexpr double kFloorBars = 4;     // errors below so many bars say nothing of an order
+constexpr double kCheapPicture = 20; // seconds that a whole picture at its best may take
+
+/// Fills in a study, measurement by measurement.
+class Run {
+  public:
+    Run(Study& study, Bench& bench, const StudyOptions& options, Task& task)
+        : study_(study), bench_(bench), options_(options), task_(task) {}
+
+    [[nodiscard]] double elapsed() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+    /// Row of a quality; nothing when the time is up.
+    std::optional<std::size_t> add(const std::string& method, const Quality& quality) {
+        if (elapsed() > options_.secondsBudget) {
+            skipped_ += 1;
+            return std::nullopt;
+        }
+        task_.throwIfCancelled();
+        const Measured& measured = bench_.measure(quality);
+        study_.rows.push_back({method, words(quality), measured, measured.seconds * perProbe_});
+        return study_.rows.size() - 1;
+    }
+
+    void present() {
+        const Quality& quality = bench_.figure().quality;
+        const ProbePicture whole = bench_.whole(quality);
+        study_.picture = whole.picture;
+        perProbe_ = whole.seconds / std::max(bench_.measure(quality).seconds, 1e-9);
+        study_.present = *add("present", quality);
+    }
+
+    /// One line of the chart: all at its best but `base`'s difference, the step as parameter.
+    void series(const std::string& method, const Quality& base) {
+        StudySeries line{method, {}, 0, false};
+        const KnobLevels& step = bench_.knobs().front();
+        for (std::size_t i = 0; i < step.levels.size(); ++i) {
+            if (const auto row = add(method, withLevel(base, step, i))) {
+                line.rows.push_back(*row);
+            }
+        }
+        findOrder(line);
+        study_.series.push_back(std::move(line));
+    }
+
+    void oneKnobAtATime() {
+        for (const KnobLevels& knob : bench_.knobs()) {
+            if (!asked(knob.knob)) {
+                continue;
+            }
+            for (std::size_t i = 0; knob.knob != Knob::step && i < knob.best(); ++i) {
+                add(nameOf(knob.knob), withLevel(bench_.best(), knob, i));
+            }
+            budget(knob);
+        }
+    }
+
+    void choices() {
+        for (const NamedTolerance& named : namedTolerances()) {
+            choose(std::string("for ") + named.name, named.tolerance);
+        }
+        if (options_.tolerance) {
+            choose("as asked", *options_.tolerance);
+        }
+    }
+
+    void bestPicture() {
+        const Measured& best = bench_.measure(bench_.best());
+        if (elapsed() > options_.secondsBudget || best.seconds * perProbe_ > kCheapPicture) {
+            study_.notes.emplace_back("No error map: a whole picture at its best takes too long.");
+            return;
+        }
+        study_.best = bench_.whole(bench_.best()).picture;
+    }
+
+    void finish() {
+        study_.limiting = limitingKnob(bench_, bench_.figure().quality, options_.metric);
+        if (skipped_ > 0) {
+            study_.notes.push_back(std::to_string(skipped_) + " settings were left out: the time was up.");
+        }
+        findPareto();
+        study_.seconds = elapsed();
+    }
+
+  private:
+    [[nodiscard]] bool asked(Knob knob) const {
+        return options_.knobs.empty() ||
+               std::find(options_.knobs.begin(), options_.knobs.end(), knob) != options_.knobs.end();
+    }
+
+    [[nodiscard]] std::string words(const Quality& quality) const { return wordsOf(quality, bench_.knobs()); }
+
+    void budget(const KnobLevels& knob) {
+        const Quality& own = bench_.figure().quality;
+        KnobLevels single{knob.knob, {own}, {""}, true};
+        const Quality quality = withLevel(bench_.best(), single, 0);
+        const auto row = add(std::string(nameOf(knob.knob)) + " as it is", quality);
+        if (!row) {
+            return;
+        }
+        study_.budget.push_back(
+            {knob.knob, levelWord(own, knob), study_.rows[*row].measured.error.of(options_.metric)});
+    }
+
+    void choose(const std::string& name, const Tolerance& tolerance) {
+        if (elapsed() > options_.secondsBudget) {
+            skipped_ += 1;
+            return;
+        }
+        try {
+            const ToleranceChoice choice = chooseQuality(bench_, tolerance);
+            study_.choices.emplace_back(name, choice);
+            add(name, choice.quality);
+        } catch (const Error& error) {
+            if (error.kind() != ErrorKind::notConverged) {
+                throw;
+            }
+            study_.notes.push_back(name + ": " + error.text().why + ".");
+        }
+    }
+
+    /// The mean over the halvings whose errors are both well above the bar; none: no order.
+    void findOrder(StudySeries& line) const {
+        double sum = 0;
+        int count = 0;
+        for (std::size_t i = 0; i + 1 < line.rows.size(); ++i) {
+            const double coarse = study_.rows[line.rows[i]].measured.error.rmse;
+            const double fine = study_.rows[line.rows[i + 1]].measured.error.rmse;
+            if (fine > kFloorBars * bench_.reference().bar.rmse && fine > 0) {
+                sum += std::log2(coarse / fine);
+                ++count;
+            }
+        }
+        line.ordered = count > 0;
+        line.order = count > 0 ? sum / count : 0;
+    }
+
+    void findPareto() {
+        std::vector<std::size_t> order(study_.rows.size());
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            order[i] = i;
+        }
+        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+            return study_.rows[a].measured.seconds < study_.rows[b].measured.seconds;
+        });
+        double least = std::numeric_limits<double>::infinity();
+        for (const std::size_t row : order) {
+            const double error = study_.rows[row].measured.error.of(options_.metric);
+            if (error < least) {
+                least = error;
+                study_.pareto.push_back(row);
+            }
+        }
+    }
+
+    Study& study_;
+    Bench& bench_;
+    const StudyOptions& options_;
+    Task& task_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    double perProbe_ = 1;
+    int skipped_ = 0;
+};
+
+/// A line for each way of sampling that the figure can have.
+void drawSeries(Run& run, const Bench& bench) {
+    const Quality best = bench.best();
+    for (const KnobLevels& knob : bench.knobs()) {
+        if (knob.knob == Knob::preintegration) {
+            run.series("point samples", withLevel(best, knob, 0));
+            run.series("pre-integration", best);
+            return;
+        }
+    }
+    run.series("point samples", best);
+}
+
+} // namespace
+
+Study runStudy(const Figure& figure, const PlanRequest& request, const Backend& backend, const StudyOptions& options,
+               Task& task) {
+    Study study;
+    task.beginPhase("Drawing the reference");
+    Bench bench(figure, request, backend, task);
+    Run run(study, bench, options, task);
+    const auto judge = options.judged ? makeReferenceBackend() : nullptr;
+    bench.makeReference(judge.get());
+    study.title = figure.title;
+    study.backend = backend.name();
+    study.size = bench.size();
+    study.probePixels = bench.probe().pixels();
+    study.metric = options.metric;
+    study.errorBar = bench.reference().errorBar(options.metric);
+    study.referenceOrder = bench.reference().order;
+    study.extrapolated = bench.reference().extrapolated;
+    study.arithmetic = bench.reference().arithmetic;
+    study.limit = bench.limit(figure.quality.preintegration);
+    task.beginPhase("Measuring error and time");
+    run.present();
+    task.progress(0.1);
+    drawSeries(run, bench);
+    task.progress(0.4);
+    run.oneKnobAtATime();
+    task.progress(0.6);
+    run.choices();
+    task.progress(0.9);
+    run.bestPicture();
+    run.finish();
+    return study;
+}
+
+Picture errorMap(const Picture& picture, const Picture& best, const glm::dvec3& background, double worst) {
+    const std::vector<float> errors = colourDifferences(picture, best, background);
+    Picture map(picture.size());
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+        const float e = std::min(static_cast<float>(errors[i] / worst), 1.0F);
+        const float alpha = std::min(2 * e, 1.0F);
+        const glm::vec3 colour(std::clamp(3 - 3 * e, 0.0F, 1.0F), std::clamp(2 - 4 * e, 0.0F, 1.0F), 0);
+        float* out = map.rgba().data() + 4 * i;
+        out[0] = colour.r * alpha;
+        out[1] = colour.g * alpha;
+        out[2] = colour.b * alpha;
+        out[3] = alpha;
+    }
+    return map;
+}
+
+} // namespace limner::accuracy
