@@ -63,8 +63,8 @@ bool namesProject(const std::filesystem::path& path) {
 
 } // namespace
 
-void FigureOptions::declareInput(CLI::App& app, const std::string& name, const std::string& help) {
-    app.add_option(name, file_, help)->required()->option_text(" ");
+void FigureOptions::declareInput(CLI::App& app, const std::string& name, const std::string& help, bool required) {
+    app.add_option(name, file_, help)->required(required)->option_text(" ");
     app.add_option("--raw", raw_,
                    "Read headerless bytes: WxHxD:TYPE:le|be:SX,SY,SZ (voxels, number type, byte order, spacing in mm)")
         ->option_text("LAYOUT");

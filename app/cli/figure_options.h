@@ -20,7 +20,7 @@ class Console;
 class FigureOptions {
   public:
     /// The file, the options for reading a scan, and its labels.
-    void declareInput(CLI::App& app, const std::string& name, const std::string& help);
+    void declareInput(CLI::App& app, const std::string& name, const std::string& help, bool required = true);
     /// Preset or sample figure, theme, view and settings.
     void declareLook(CLI::App& app);
     /// Size in pixels or millimetres.
@@ -37,6 +37,8 @@ class FigureOptions {
     [[nodiscard]] const std::string& file() const { return file_; }
     [[nodiscard]] std::optional<std::uint64_t> memory() const;
     [[nodiscard]] int threads() const { return threads_; }
+    /// A size was asked for.
+    [[nodiscard]] bool sized() const { return !size_.empty() || widthMm_ || heightMm_ || dpi_; }
 
   private:
     [[nodiscard]] ImportOptions importOptions() const;

@@ -1,5 +1,6 @@
 #include "app/cli/program.h"
 
+#include "app/cli/accuracy_command.h"
 #include "app/cli/console.h"
 #include "app/cli/doctor_command.h"
 #include "app/cli/explain_command.h"
@@ -38,7 +39,8 @@ constexpr const char* kFooter = R"(Examples:
 `limner COMMAND --help` shows the options of a command, with examples.
 Lengths are in mm, angles in degrees, colours sRGB from 0 to 1, values in the scan's own unit.
 Exit codes: 0 done, 2 wrong usage, 3 bad input file, 4 no OpenGL, 5 out of memory or disk,
-            8 pixels that are not finite numbers, 9 a formula failed, 130 cancelled.
+            6 drawn, but not to the tolerance, 7 the accuracy reference is not good enough,
+            8 pixels that are not finite numbers, 9 a formula or an order failed, 130 cancelled.
 )";
 
 /// The parser with all commands, and which of them was asked for.
@@ -56,6 +58,7 @@ class Parser {
         add(app_, "info", std::make_unique<InfoCommand>());
         add(app_, "validate", std::make_unique<ValidateCommand>());
         add(app_, "explain", std::make_unique<ExplainCommand>());
+        add(app_, "accuracy", std::make_unique<AccuracyCommand>());
         add(app_, "self-test", std::make_unique<SelfTestCommand>());
         add(app_, "doctor", std::make_unique<DoctorCommand>());
         CLI::App& style = *group("style", "Extracts, adds, shows, lists and removes lit-sphere styles");

@@ -62,6 +62,7 @@ void RenderCommand::declare(CLI::App& app) {
     figure_.declareLook(app);
     figure_.declareSize(app);
     backend_.declare(app);
+    tolerance_.declare(app, "Choose the cheapest step and other settings whose error stays below this");
     app.add_option("--tile", tile_, "Edge of the tiles that are rendered at a time, in pixels [from the budget]")
         ->option_text("N")
         ->check(CLI::Range(1, 1'000'000).description(""));
@@ -106,16 +107,18 @@ int RenderCommand::run(Console& console) {
     const auto start = std::chrono::steady_clock::now();
     // What is wrong with the request is said before a scan of a gigabyte is read.
     checkExport(out_, {0, 0}, optionsFor(Figure{}));
+    tolerance_.check();
     const auto backend = backend_.make();
     std::optional<ThreadLimit> limit;
     if (figure_.threads() > 0) {
         limit.emplace(figure_.threads());
     }
     Task& task = console.task();
-    const Document document = figure_.open(console);
+    Document document = figure_.open(console);
     PictureOptions options = optionsFor(document.figure);
     checkExport(out_, document.figure.output.sizePixels(), options);
 
+    const auto choice = keepTolerance(document.figure, *backend, task);
     task.beginPhase("Planning");
     Planner planner;
     PlanRequest request;
@@ -128,21 +131,41 @@ int RenderCommand::run(Console& console) {
         options.memoryBudget = pictureBudget(*memory, *plan);
     }
     const ExportFacts facts = exportPicture(*plan, *backend, out_, options, task);
-    report(console, facts, backend->name(),
-           std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    return facts.notFinite > 0 ? static_cast<int>(ErrorKind::notFinite) : 0;
+    report(console, {facts, choice, backend->name(),
+                     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()});
+    return facts.notFinite > 0          ? static_cast<int>(ErrorKind::notFinite)
+           : choice && !choice->reached ? static_cast<int>(ErrorKind::notToTolerance)
+                                        : 0;
 }
 
-void RenderCommand::report(Console& console, const ExportFacts& facts, const std::string& backend,
-                           double seconds) const {
+std::optional<accuracy::ToleranceChoice> RenderCommand::keepTolerance(Figure& figure, const Backend& backend,
+                                                                      Task& task) const {
+    const auto asked = tolerance_.asked(figure.quality);
+    if (!asked) {
+        return std::nullopt;
+    }
+    task.beginPhase("Finding the settings for the tolerance");
+    accuracy::Bench bench(figure, {}, backend, task);
+    bench.makeReference(*asked, nullptr);
+    auto choice = accuracy::chooseQuality(bench, *asked);
+    figure.quality = choice.quality;
+    if (!choice.reached) {
+        task.warn("the picture is not to the tolerance of " + toleranceText(asked->metric, asked->value) + ": " +
+                  choice.limiting);
+    }
+    return choice;
+}
+
+void RenderCommand::report(Console& console, const Result& result) const {
+    const ExportFacts& facts = result.facts;
     std::error_code ignored;
     const auto fileBytes = std::filesystem::file_size(out_, ignored);
     if (console.json) {
         Facts object{{"file", out_},
                      {"width", facts.size.x},
                      {"height", facts.size.y},
-                     {"backend", backend},
-                     {"seconds", seconds},
+                     {"backend", result.backend},
+                     {"seconds", result.seconds},
                      {"render_seconds", facts.seconds},
                      {"samples", facts.samples},
                      {"shaded", facts.shaded},
@@ -154,18 +177,32 @@ void RenderCommand::report(Console& console, const ExportFacts& facts, const std
                      {"file_bytes", fileBytes},
                      {"peak_bytes", peakResidentBytes()},
                      {"warnings", console.task().warnings()}};
+        if (result.choice) {
+            object["tolerance"] = {{"metric", accuracy::nameOf(result.choice->asked.metric)},
+                                   {"asked", result.choice->asked.value},
+                                   {"delivered", result.choice->heldOutError},
+                                   {"error_bar", result.choice->errorBar},
+                                   {"reached", result.choice->reached},
+                                   {"settings", result.choice->words},
+                                   {"limiting_knob", result.choice->limiting}};
+        }
         printFacts(console, object);
         return;
     }
     char text[160];
     std::snprintf(text, sizeof text, "%d x %d pixels, %s, %s backend, %.1f s", facts.size.x, facts.size.y,
-                  formatBytes(fileBytes).c_str(), backend.c_str(), seconds);
+                  formatBytes(fileBytes).c_str(), result.backend.c_str(), result.seconds);
     std::string marks;
     if (facts.dots + facts.strokes > 0)
         marks = ", " + std::to_string(facts.dots) + " dots, " + std::to_string(facts.strokes) + " strokes";
     if (facts.layersEmbedded)
         marks += ", the layers embedded as one picture";
     console.say(out_ + ": " + text + marks);
+    if (result.choice) {
+        const accuracy::ToleranceChoice& choice = *result.choice;
+        console.say("error " + toleranceText(choice.asked.metric, choice.heldOutError) + " where " +
+                    numberText(choice.asked.value) + " was asked for, by " + choice.words);
+    }
 }
 
 } // namespace limner::cli

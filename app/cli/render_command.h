@@ -3,9 +3,11 @@
 #include "app/cli/backend_options.h"
 #include "app/cli/command.h"
 #include "app/cli/figure_options.h"
+#include "app/cli/tolerance_options.h"
 #include "renderer/export/picture_file.h"
 #include "renderer/plan/render_plan.h"
 
+#include <optional>
 #include <string>
 
 namespace limner::cli {
@@ -19,11 +21,22 @@ class RenderCommand : public Command {
   private:
     void declarePicture(CLI::App& app);
     [[nodiscard]] PictureOptions optionsFor(const Figure& figure) const;
-    void report(Console& console, const ExportFacts& facts, const std::string& backend, double seconds) const;
+    /// Puts the cheapest settings for the tolerance asked for, if any, into the figure.
+    [[nodiscard]] std::optional<accuracy::ToleranceChoice> keepTolerance(Figure& figure, const Backend& backend,
+                                                                         Task& task) const;
+    /// What there is to say of a picture.
+    struct Result {
+        ExportFacts facts;
+        std::optional<accuracy::ToleranceChoice> choice;
+        std::string backend;
+        double seconds = 0;
+    };
+    void report(Console& console, const Result& result) const;
 
     FigureOptions figure_;
     std::string out_;
     BackendOptions backend_;
+    ToleranceOptions tolerance_;
     std::string depth_;
     std::string background_;
     bool transparent_ = false;

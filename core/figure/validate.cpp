@@ -321,7 +321,7 @@ std::vector<std::string> partsNotDrawn(const Figure& figure) {
             lines.push_back(std::string(pointer) + ": " + what + " kept but not drawn by this version");
         }
     };
-    kept(figure.quality.tolerance.has_value(), "/quality/tolerance", "the tolerance is");
+    kept(figure.quality.adaptiveStep, "/quality/adaptive_step", "adaptive steps are");
     return lines;
 }
 

@@ -30,10 +30,11 @@ Bench::Bench(Figure figure, PlanRequest request, const Backend& backend, Task& t
     probe_ = chooseProbe(figure_, *plan, backend_, planner_, task_);
 }
 
-void Bench::makeReference(const Backend* judge) {
+void Bench::makeReference(const Tolerance& tolerance, const Backend* judge) {
     Figure best = figure_;
     best.quality = bestQuality(figure_.quality, knobs_);
-    reference_ = makeModelReference(best, request_, probe_, backend_, judge, planner_, task_);
+    reference_ = makeModelReference(best, request_, probe_, {tolerance.metric, tolerance.value * kBarShare}, backend_,
+                                    judge, planner_, task_);
 }
 
 std::shared_ptr<const RenderPlan> Bench::planOf(const Quality& quality) {

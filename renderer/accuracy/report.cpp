@@ -85,6 +85,7 @@ std::string reportJson(const Study& study) {
                       {"reference",
                        {{"kind", "model"},
                         {"error_bar", study.errorBar},
+                        {"step_voxels", study.referenceStep},
                         {"observed_order", study.referenceOrder},
                         {"extrapolated", study.extrapolated},
                         {"arithmetic", errorFacts(study.arithmetic)}}},

@@ -89,9 +89,10 @@ std::string summary(const Study& study) {
                        escaped(study.limiting) + "</strong></p>\n";
     text +=
         "<p class=\"quiet\">The reference is the figure's own model - its voxels, interpolation, gradients and rays "
-        "per pixel - with steps of 1/8, 1/16 and 1/32 voxel, observed order " +
-        number(study.referenceOrder) + (study.extrapolated ? ", extrapolated" : ", not extrapolated") +
-        "; it is itself good to " + number(study.errorBar) + ", single precision and tables included.</p>\n";
+        "per pixel - with steps down to " +
+        number(study.referenceStep) + " voxel, observed order " + number(study.referenceOrder) +
+        (study.extrapolated ? ", extrapolated" : ", not extrapolated") + "; it is itself good to " +
+        number(study.errorBar) + ", single precision and tables included.</p>\n";
     for (const std::string& note : study.notes) {
         text += "<p class=\"quiet\">" + escaped(note) + "</p>\n";
     }

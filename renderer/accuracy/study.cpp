@@ -200,13 +200,14 @@ Study runStudy(const Figure& figure, const PlanRequest& request, const Backend& 
     Bench bench(figure, request, backend, task);
     Run run(study, bench, options, task);
     const auto judge = options.judged ? makeReferenceBackend() : nullptr;
-    bench.makeReference(judge.get());
+    bench.makeReference(options.tolerance.value_or(Tolerance{ErrorMetric::ciede2000, 0.7}), judge.get());
     study.title = figure.title;
     study.backend = backend.name();
     study.size = bench.size();
     study.probePixels = bench.probe().pixels();
     study.metric = options.metric;
     study.errorBar = bench.reference().errorBar(options.metric);
+    study.referenceStep = bench.reference().step;
     study.referenceOrder = bench.reference().order;
     study.extrapolated = bench.reference().extrapolated;
     study.arithmetic = bench.reference().arithmetic;

@@ -48,6 +48,7 @@ struct Study {
     double probePixels = 0;
     ErrorMetric metric = ErrorMetric::ciede2000;
     double errorBar = 0;       ///< of the reference, in the study's metric
+    double referenceStep = 0;  ///< its finest, voxels
     double referenceOrder = 0; ///< observed between its steps
     bool extrapolated = false;
     PictureError arithmetic; ///< see ModelReference

@@ -146,7 +146,7 @@ std::string amount(double error, ErrorMetric metric) {
 
 void checkReference(const Bench& bench, const Tolerance& tolerance) {
     const double bar = bench.reference().errorBar(tolerance.metric);
-    if (bar > tolerance.value / 10) {
+    if (bar > tolerance.value * kBarShare) {
         throw Error(ErrorKind::notConverged,
                     {"the error cannot be told to this tolerance", "",
                      "the reference itself is only good to " + amount(bar, tolerance.metric) + ", the tolerance is " +

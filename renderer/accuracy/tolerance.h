@@ -14,6 +14,9 @@ struct Tolerance {
     double value = 1.5;
 };
 
+/// A reference's own bar must not be over this share of a tolerance that it judges.
+inline constexpr double kBarShare = 0.1;
+
 /// Named tolerances (spec accuracy.md 1.9): draft, screen, print and reference, the last changing no 8-bit value by
 /// more than one.
 struct NamedTolerance {
@@ -46,8 +49,8 @@ class Bench {
     [[nodiscard]] Quality best() const { return bestQuality(figure_.quality, knobs_); }
     [[nodiscard]] StepLimit limit(bool preintegration) const { return preintegration ? limitWith_ : limitWithout_; }
 
-    /// Draws the reference. `judge`: as `makeModelReference`.
-    void makeReference(const Backend* judge);
+    /// Draws the reference, to as small a bar as this tolerance takes. `judge`: as `makeModelReference`.
+    void makeReference(const Tolerance& tolerance, const Backend* judge);
 
     const Measured& measure(const Quality& quality);
     /// The same on the tiles that no search has seen.

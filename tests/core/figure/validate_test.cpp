@@ -303,7 +303,7 @@ TEST(Validate, AnnotationsThatCannotShowAreSaid) {
 
 TEST(Validate, PartsThatAreNotDrawnAreSaid) {
     const std::pair<const char*, Edit> cases[] = {
-        {"/quality/tolerance", [](Figure& f) { f.quality.tolerance = 0.01; }},
+        {"/quality/adaptive_step", [](Figure& f) { f.quality.adaptiveStep = true; }},
     };
     for (const auto& [pointer, edit] : cases) {
         Figure figure = soundFigure();
