@@ -1,3 +1,4 @@
+#include "renderer/accuracy/line_error.h"
 #include "renderer/accuracy/tolerance.h"
 
 #include <algorithm>
@@ -63,7 +64,23 @@ PictureError Bench::verify(const Quality& quality) {
 
 ProbePicture Bench::whole(const Quality& quality) {
     const auto plan = planOf(quality);
-    return drawProbe(*plan, {{{0, 0}, plan->size}}, backend_, {2, 0.5}, task_);
+    return drawProbe(*plan, {{{0, 0}, plan->size}}, backend_, {2, 0.3}, task_);
+}
+
+bool Bench::hasLines() const {
+    return std::any_of(figure_.layers.begin(), figure_.layers.end(),
+                       [](const Layer& layer) { return layer.contours || layer.silhouette; });
+}
+
+std::vector<bool> Bench::linesOf(const Quality& quality, const Picture& picture) {
+    Figure bare = figure_;
+    bare.quality = quality;
+    for (Layer& layer : bare.layers) {
+        layer.contours.reset();
+        layer.silhouette.reset();
+    }
+    const auto plan = planner_.plan(bare, request_, task_);
+    return lineMask(picture, backend_.render(*plan, {{0, 0}, plan->size}, task_).picture);
 }
 
 } // namespace limner::accuracy

@@ -76,6 +76,12 @@ std::string reportJson(const Study& study) {
     for (const auto& [name, choice] : study.choices) {
         choices.push_back(choiceFacts(name, choice));
     }
+    Facts lines = nullptr;
+    if (study.lines.any) {
+        lines = {{"mean_distance_px", study.lines.meanDistance},
+                 {"p95_distance_px", study.lines.p95Distance},
+                 {"disagreement", study.lines.disagreement}};
+    }
     const Facts facts{{"title", study.title},
                       {"backend", study.backend},
                       {"width", study.size.x},
@@ -93,6 +99,7 @@ std::string reportJson(const Study& study) {
                       {"pareto", study.pareto},
                       {"orders", orders},
                       {"budget", budget},
+                      {"lines", lines},
                       {"present", study.present},
                       {"choices", choices},
                       {"limiting_knob", study.limiting},

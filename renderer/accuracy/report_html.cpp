@@ -93,6 +93,12 @@ std::string summary(const Study& study) {
         number(study.referenceStep) + " voxel, observed order " + number(study.referenceOrder) +
         (study.extrapolated ? ", extrapolated" : ", not extrapolated") + "; it is itself good to " +
         number(study.errorBar) + ", single precision and tables included.</p>\n";
+    if (study.lines.any) {
+        text += "<p>Contours and silhouettes lie " + number(study.lines.meanDistance) +
+                " pixels from where they should (95 % within " + number(study.lines.p95Distance) + "); " +
+                number(100 * study.lines.disagreement) +
+                " % of their pixels are in one of the two pictures only.</p>\n";
+    }
     for (const std::string& note : study.notes) {
         text += "<p class=\"quiet\">" + escaped(note) + "</p>\n";
     }

@@ -13,8 +13,8 @@ namespace limner::accuracy {
 
 namespace {
 
-constexpr double kFloorBars = 4;     // errors below so many bars say nothing of an order
-constexpr double kCheapPicture = 20; // seconds that a whole picture at its best may take
+constexpr double kFloorBars = 4;    // errors below so many bars say nothing of an order
+constexpr double kCheapPicture = 3; // seconds that a whole picture for the error map may take
 
 /// Fills in a study, measurement by measurement.
 class Run {
@@ -80,13 +80,22 @@ class Run {
         }
     }
 
+    /// For the error map: with the finest step whose whole picture does not take too long.
     void bestPicture() {
-        const Measured& best = bench_.measure(bench_.best());
-        if (elapsed() > options_.secondsBudget || best.seconds * perProbe_ > kCheapPicture) {
-            study_.notes.emplace_back("No error map: a whole picture at its best takes too long.");
-            return;
+        const KnobLevels& step = bench_.knobs().front();
+        for (std::size_t level = step.best() + 1; level-- > 0;) {
+            const Quality quality = withLevel(bench_.best(), step, level);
+            if (quality.stepVoxels < bench_.figure().quality.stepVoxels &&
+                bench_.measure(quality).seconds * perProbe_ <= kCheapPicture) {
+                study_.best = bench_.whole(quality).picture;
+                if (bench_.hasLines()) {
+                    study_.lines = compareLines(bench_.linesOf(bench_.figure().quality, study_.picture),
+                                                bench_.linesOf(quality, study_.best), study_.size.x);
+                }
+                return;
+            }
         }
-        study_.best = bench_.whole(bench_.best()).picture;
+        study_.notes.emplace_back("No error map: a finer picture takes too long.");
     }
 
     void finish() {

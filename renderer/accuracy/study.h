@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/accuracy/line_error.h"
 #include "renderer/accuracy/tolerance.h"
 
 #include <optional>
@@ -62,6 +63,7 @@ struct Study {
     std::string limiting; ///< one sentence
     std::vector<std::string> notes;
     double seconds = 0; ///< that the study took
+    LineError lines;    ///< of contours and silhouettes, as it is against the best
     Picture picture;    ///< the figure as it is, whole
     Picture best;       ///< with everything at its best; the difference of the two is the error map
 };

@@ -57,6 +57,10 @@ class Bench {
     PictureError verify(const Quality& quality);
     /// A whole picture, with the seconds that it took.
     ProbePicture whole(const Quality& quality);
+    /// Some layer has contours or silhouettes.
+    [[nodiscard]] bool hasLines() const;
+    /// Where the lines of a whole picture are; `picture`: as `whole` gives it for that quality.
+    std::vector<bool> linesOf(const Quality& quality, const Picture& picture);
     [[nodiscard]] std::size_t measurements() const { return measured_.size(); }
 
     Repeats repeats{5, 0.06};
