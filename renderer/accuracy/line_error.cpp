@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 
 namespace limner::accuracy {
 
@@ -59,9 +60,8 @@ LineError compareLines(const std::vector<bool>& mask, const std::vector<bool>& r
         return error;
     }
     error.any = true;
-    for (const double d : distances) {
-        error.meanDistance += d / static_cast<double>(distances.size());
-    }
+    error.meanDistance =
+        std::accumulate(distances.begin(), distances.end(), 0.0) / static_cast<double>(distances.size());
     const std::size_t at = (distances.size() * 95 + 99) / 100 - 1;
     std::nth_element(distances.begin(), distances.begin() + static_cast<std::ptrdiff_t>(at), distances.end());
     error.p95Distance = distances[at];

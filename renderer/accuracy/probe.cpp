@@ -12,8 +12,10 @@ namespace {
 
 constexpr int kStrata = 8;      // an axis
 constexpr int kExtraShare = 10; // one tile where the picture varies for so many others
-constexpr int kLattice = 32;    // tiles begin where the ray casters' blocks do: a tile costs what its own rays cost
-constexpr int kDraft = 128;     // pixels of the small picture's longer edge
+/// Tiles begin where the ray casters' blocks do, so that a tile costs what its own rays cost, where the picture is
+/// large enough for as many.
+constexpr int kBlock = 32;
+constexpr int kDraft = 128; // pixels of the small picture's longer edge
 
 /// Variance of the pixels around, over all channels, of the small picture.
 double varianceAt(const Picture& draft, glm::ivec2 low, glm::ivec2 high) {
@@ -43,10 +45,12 @@ struct Candidate {
 
 std::vector<Candidate> candidatesOf(glm::ivec2 size, const Picture& draft) {
     std::vector<Candidate> all;
-    const glm::ivec2 strata = glm::clamp((size + kLattice - 1) / kLattice, 1, kStrata);
+    const int spacing =
+        std::clamp(std::min(size.x, size.y) / kStrata / Probe::kEdge * Probe::kEdge, Probe::kEdge, kBlock);
+    const glm::ivec2 strata = glm::clamp((size + spacing - 1) / spacing, 1, kStrata);
     const glm::dvec2 perPixel = glm::dvec2(draft.size()) / glm::dvec2(size);
-    for (int y = 0; y < size.y; y += kLattice) {
-        for (int x = 0; x < size.x; x += kLattice) {
+    for (int y = 0; y < size.y; y += spacing) {
+        for (int x = 0; x < size.x; x += spacing) {
             Candidate c;
             c.tile = {{x, y}, glm::min(glm::ivec2(Probe::kEdge), size - glm::ivec2(x, y))};
             const glm::ivec2 low = glm::min(glm::ivec2(glm::dvec2(x, y) * perPixel), draft.size() - 1);

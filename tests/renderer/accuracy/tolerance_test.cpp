@@ -25,10 +25,16 @@ struct Scene {
     PlanRequest request;
 };
 
-Scene blob(double heightMm = 2) {
+/// Its transfer function has a corner: the error of the step falls with its square, not faster than any power as a
+/// smooth one's does.
+Scene blob() {
     const GaussianBlob ball{6, 0.4, 0.05};
     AnalyticScene scene = ball.scene(0.025);
-    scene.figure.camera.heightMm = heightMm;
+    scene.figure.camera.heightMm = 2;
+    const ValueRange range = scene.figure.volume->data->range();
+    const double width = range.high - range.low;
+    scene.figure.layers[0].transfer.opacity = {
+        {range.low + 0.2 * width, 0}, {range.low + 0.6 * width, 0.4}, {range.high, 0.4}};
     scene.request.lattice.reset();
     scene.request.size = {96, 96};
     return {scene.figure, scene.request};
