@@ -94,6 +94,17 @@ class ImportanceComposer {
         out.exponential = exp(Lanes{hn::Mul(total, gate.v)}).v;
     }
 
+    /// Whether what lies ahead of every lane's sample, itself included, matters no more than what its ray has met;
+    /// `share`: of `shareAhead`.
+    HWY_INLINE bool settled(const std::int32_t* pixel, const LaneFloats& share, int count) const {
+        constexpr float kRounded = 1 + 1e-6F; // of the exponentials
+        bool all = true;
+        for (int lane = 0; lane < count; ++lane) {
+            all = all && pixels_.exponential[pixel[lane]] * share.at[lane] >= kRounded;
+        }
+        return all;
+    }
+
     /// One layer of one lane's sample behind what its pixel has.
     HWY_INLINE void add(std::int32_t pixel, Quad colour, float opacity, const WeighedLanes& weighed, std::size_t lane,
                         float ofLayer) {
