@@ -96,13 +96,11 @@ class ImportanceComposer {
 
     /// Whether what lies ahead of every lane's sample, itself included, matters no more than what its ray has met;
     /// `share`: of `shareAhead`.
-    HWY_INLINE bool settled(const std::int32_t* pixel, const LaneFloats& share, int count) const {
+    HWY_INLINE bool settled(const std::int32_t* pixel, Floats share, int count) const {
         constexpr float kRounded = 1 + 1e-6F; // of the exponentials
-        bool all = true;
-        for (int lane = 0; lane < count; ++lane) {
-            all = all && pixels_.exponential[pixel[lane]] * share.at[lane] >= kRounded;
-        }
-        return all;
+        const Floats met = hn::GatherIndex(kF, pixels_.exponential, hn::Load(kI, pixel));
+        const Mask nobody = hn::Not(hn::FirstN(kF, static_cast<std::size_t>(count)));
+        return hn::AllTrue(kF, hn::Or(hn::Ge(hn::Mul(met, share), splat(kRounded)), nobody));
     }
 
     /// One layer of one lane's sample behind what its pixel has.

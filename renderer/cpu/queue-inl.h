@@ -270,8 +270,9 @@ class ShadeQueue {
         const KernelImportance& settings = scene_.importance;
         const Floats weight = composer_.weights(pixel_);
         const LaneFloats ahead(hn::GatherIndex(kF, ahead_, slabOf(facts.q)));
-        const LaneFloats share(composer_.shareAhead(weight, hn::Load(kF, ahead.at)));
-        const bool settled = settings.settles && composer_.settled(pixel_, share, count);
+        const Floats shareAhead = composer_.shareAhead(weight, hn::Load(kF, ahead.at));
+        const LaneFloats share(shareAhead);
+        const bool settled = settings.settles && composer_.settled(pixel_, shareAhead, count);
         const ImportanceMeasures<VoxelField> measures(settings, facts, settled);
         for (std::size_t i = 0; i < layers_.size(); ++i) {
             const KernelLayer& kernelLayer = scene_.layers[i];

@@ -159,6 +159,31 @@ void describeImportance(const RenderPlan& plan, const AddFeature& feature) {
             "importance acts everywhere");
 }
 
+void countBytes(RenderPlan& plan) {
+    for (const PlanLayer& layer : plan.layers) {
+        plan.bytes += tableBytes(layer);
+    }
+    plan.bytes += plan.atlas ? atlasBytes(*plan.atlas) : 0;
+    plan.bytes +=
+        plan.skip ? plan.skip->distance.size() * (1 + 2 * sizeof(float)) : 0; // with the min-max grid behind it
+    plan.bytes += plan.volume != plan.figure->volume->data ? plan.volume->bytes() : 0;
+    plan.bytes += plan.field != plan.volume ? plan.field->bytes() : 0;
+    plan.bytes += plan.gradientField != plan.field ? plan.gradientField->bytes() : 0;
+    plan.bytes += plan.bendField ? plan.bendField->bytes() : 0;
+    for (const auto& blur : plan.blurs) {
+        plan.bytes += blur->bytes();
+    }
+    if (plan.cues) {
+        for (const auto& field : {plan.cues->ambient, plan.cues->shadow, plan.cues->halo}) {
+            plan.bytes += field ? field->values.size() * sizeof(float) : 0;
+        }
+    }
+    plan.bytes += plan.labels ? plan.labels->bytes() : 0;
+    plan.bytes += plan.secondVolume ? plan.secondVolume->bytes() : 0;
+    plan.bytes += plan.marks ? plan.marks->field->bytes() : 0;
+    plan.bytes += statisticsBytes(plan);
+}
+
 } // namespace
 
 void describePlan(RenderPlan& plan) {
@@ -207,28 +232,7 @@ void describePlan(RenderPlan& plan) {
     if (hidden > 0) {
         plan.featuresNotAsked.push_back({std::to_string(hidden) + (hidden == 1 ? " layer" : " layers"), "hidden"});
     }
-    for (const PlanLayer& layer : plan.layers) {
-        plan.bytes += tableBytes(layer);
-    }
-    plan.bytes += plan.atlas ? atlasBytes(*plan.atlas) : 0;
-    plan.bytes +=
-        plan.skip ? plan.skip->distance.size() * (1 + 2 * sizeof(float)) : 0; // with the min-max grid behind it
-    plan.bytes += plan.volume != plan.figure->volume->data ? plan.volume->bytes() : 0;
-    plan.bytes += plan.field != plan.volume ? plan.field->bytes() : 0;
-    plan.bytes += plan.gradientField != plan.field ? plan.gradientField->bytes() : 0;
-    plan.bytes += plan.bendField ? plan.bendField->bytes() : 0;
-    for (const auto& blur : plan.blurs) {
-        plan.bytes += blur->bytes();
-    }
-    if (plan.cues) {
-        for (const auto& field : {plan.cues->ambient, plan.cues->shadow, plan.cues->halo}) {
-            plan.bytes += field ? field->values.size() * sizeof(float) : 0;
-        }
-    }
-    plan.bytes += plan.labels ? plan.labels->bytes() : 0;
-    plan.bytes += plan.secondVolume ? plan.secondVolume->bytes() : 0;
-    plan.bytes += plan.marks ? plan.marks->field->bytes() : 0;
-    plan.bytes += statisticsBytes(plan);
+    countBytes(plan);
 }
 
 } // namespace limner
