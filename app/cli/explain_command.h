@@ -18,6 +18,7 @@ class ExplainCommand : public Command {
     FigureOptions figure_;
     BackendOptions backend_;
     bool visibility_ = false;
+    bool savings_ = false;
 };
 
 } // namespace limner::cli

@@ -44,7 +44,8 @@ struct BlockImportance {
         const glm::dvec2 high = (corner + static_cast<double>(KernelBlock::kSize)) * perPixel;
         const auto& lenses = plan.importance->lenses;
         const double perFigure = 1.0 / plan.size.y;
-        if (lensesMiss(lenses, low * perFigure, high * perFigure)) {
+        if (!plan.kept.has(LeaveOut::importanceOutsideLenses) &&
+            lensesMiss(lenses, low * perFigure, high * perFigure)) {
             return;
         }
         ahead = all.behind(low, high);

@@ -94,6 +94,15 @@ class ImportanceComposer {
         out.exponential = exp(Lanes{hn::Mul(total, gate.v)}).v;
     }
 
+    /// Whether what lies ahead of every lane's sample, itself included, matters no more than what its ray has met;
+    /// `share`: of `shareAhead`.
+    HWY_INLINE bool settled(const std::int32_t* pixel, Floats share, int count) const {
+        constexpr float kRounded = 1 + 1e-6F; // of the exponentials
+        const Floats met = hn::GatherIndex(kF, pixels_.exponential, hn::Load(kI, pixel));
+        const Mask nobody = hn::Not(hn::FirstN(kF, static_cast<std::size_t>(count)));
+        return hn::AllTrue(kF, hn::Or(hn::Ge(hn::Mul(met, share), splat(kRounded)), nobody));
+    }
+
     /// One layer of one lane's sample behind what its pixel has.
     HWY_INLINE void add(std::int32_t pixel, Quad colour, float opacity, const WeighedLanes& weighed, std::size_t lane,
                         float ofLayer) {

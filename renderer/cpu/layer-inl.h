@@ -115,11 +115,11 @@ class LayerEvaluation {
     /// The colour alone, where the sample's opacity is known already.
     HWY_INLINE void colourByValue(const Facts<Field>& facts, LaneColours& out) const {
         const Floats width = contourWidth(facts);
-        if (layer_.shading != Shading::style && layer_.rows == 0) {
+        if (layer_.shading != Shading::style && layer_.rows == 0 && !layer_.oneColour) {
             shadePlain(facts, width, PlainEntries(layer_.colours, entryOf(facts.tableEntry)), out);
         } else {
             NodeBlend nodes;
-            if (layer_.singleSlot < 0 || layer_.textures != nullptr) {
+            if ((layer_.singleSlot < 0 && !layer_.oneColour) || layer_.textures != nullptr) {
                 nodes = nodesOfLine(TablePlace(entryOf(facts.tableEntry)));
             }
             colour(facts, width, nodes, out);
@@ -314,6 +314,10 @@ class LayerEvaluation {
     }
 
     HWY_INLINE void colour(const Facts<Field>& facts, Floats width, const NodeBlend& nodes, LaneColours& out) const {
+        if (layer_.oneColour) {
+            shadePlain(facts, width, PlainColour(layer_.nodeColours), out);
+            return;
+        }
         if (layer_.shading != Shading::style) {
             const PlainNodes plain(layer_.nodeColours, nodes);
             shadePlain(facts, width, plain, out);

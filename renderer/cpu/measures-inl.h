@@ -18,7 +18,13 @@ namespace limner::HWY_NAMESPACE {
 template <typename Field>
 class ImportanceMeasures {
   public:
-    ImportanceMeasures(const KernelImportance& settings, const Facts<Field>& facts) : settings_(settings) {
+    /// `settled`: no sample's importance will be read, only what is darkened.
+    ImportanceMeasures(const KernelImportance& settings, const Facts<Field>& facts, bool settled = false)
+        : settings_(settings) {
+        if (settled) {
+            silhouetteness_ = settings.silhouette > 0 ? silhouettenessOf(facts) : splat(0);
+            return;
+        }
         Floats sum = splat(0);
         const auto add = [&](float weight, const auto& measure) HWY_ATTR {
             if (weight > 0) {

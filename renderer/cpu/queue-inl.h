@@ -268,22 +268,28 @@ class ShadeQueue {
     /// The same by importance.
     HWY_NOINLINE void composeByImportance(const Facts<VoxelField>& facts, int count) {
         const KernelImportance& settings = scene_.importance;
-        const ImportanceMeasures<VoxelField> measures(settings, facts);
         const Floats weight = composer_.weights(pixel_);
+        const LaneFloats ahead(hn::GatherIndex(kF, ahead_, slabOf(facts.q)));
+        const Floats shareAhead = composer_.shareAhead(weight, hn::Load(kF, ahead.at));
+        const LaneFloats share(shareAhead);
+        const bool settled = settings.settles && composer_.settled(pixel_, shareAhead, count);
+        const ImportanceMeasures<VoxelField> measures(settings, facts, settled);
         for (std::size_t i = 0; i < layers_.size(); ++i) {
             const KernelLayer& kernelLayer = scene_.layers[i];
             const LayerEvaluation<VoxelField> layer(scene_, kernelLayer);
             const Floats opacity = evaluate(layer, facts, layers_[i].colours);
             layers_[i].opacity = opacity;
-            composer_.weigh(measures, weight, kernelLayer.importanceWeight, opacity, layer.partOf(facts),
-                            layers_[i].weighed);
+            if (settled) {
+                layers_[i].weighed.exponential = splat(1); // e^0, no more than any ray has
+            } else {
+                composer_.weigh(measures, weight, kernelLayer.importanceWeight, opacity, layer.partOf(facts),
+                                layers_[i].weighed);
+            }
         }
         LaneFloats dark(splat(1));
         if (settings.silhouette > 0) {
             dark = measures.darkening(hn::Min(hn::Mul(weight, splat(settings.actsPerWeight)), splat(1)));
         }
-        const LaneFloats ahead(hn::GatherIndex(kF, ahead_, slabOf(facts.q)));
-        const LaneFloats share(composer_.shareAhead(weight, hn::Load(kF, ahead.at)));
         for (int lane = 0; lane < count; ++lane) {
             const std::int32_t pixel = pixel_[lane];
             if (composer_.done(pixel)) {

@@ -282,6 +282,13 @@ struct PlainEntries {
     }
 };
 
+/// One colour, whatever the entry.
+struct PlainColour {
+    Quad rgba;
+    HWY_INLINE explicit PlainColour(const float* colour) : rgba(hn::Load(kQuad, colour)) {}
+    [[nodiscard]] HWY_INLINE Quad colour(std::size_t /*lane*/) const { return rgba; }
+};
+
 /// The blend of the plain colours of some nodes.
 struct PlainNodes {
     const float* colours;

@@ -146,7 +146,8 @@ class Casting {
             return false;
         }
         const double perFigure = 1.0 / plan_.subPixels / plan_.size.y;
-        return !lensesMiss(plan_.importance->lenses, glm::dvec2(block.corner) * perFigure, endOf(block) * perFigure);
+        return plan_.kept.has(LeaveOut::importanceOutsideLenses) ||
+               !lensesMiss(plan_.importance->lenses, glm::dvec2(block.corner) * perFigure, endOf(block) * perFigure);
     }
 
     /// Of the picture's part in a block, whatever of it is wanted, in sub-pixels.

@@ -40,7 +40,8 @@ class Factors {
         : stipple_(*plan.figure->stipple), ofLayers_(stipple_.matter == "layers"),
           wholeScale_(static_cast<float>(field.paperPerMm)),
           halfDepth_(static_cast<float>(halfDepth(plan.volume->grid(), view.frame().forward))),
-          centreDepth_(view.place(plan.volume->grid().centreMm()).depthMm) {
+          centreDepth_(view.place(plan.volume->grid().centreMm()).depthMm),
+          idle_(plan.kept.has(LeaveOut::dotFactors) ? IdleFactors{} : idleFactors(stipple_)) {
         if (stipple_.lighting) {
             light_ = glm::vec3(lightSeen(stipple_.lighting->light, plan.figure->camera));
         }
@@ -70,13 +71,13 @@ class Factors {
         if (const auto& k = stipple_.resolution) {
             addResolution(at.scale / wholeScale_, static_cast<float>(k->kre), result);
         }
-        if (const auto& k = stipple_.distance) {
+        if (const auto& k = stipple_.distance; k && !idle_.distance) {
             const auto factor =
                 optics::distanceFactor<float>(at.depthMm - centreDepth_, halfDepth_, static_cast<float>(k->kde));
             result.tone *= factor;
             result.size *= factor;
         }
-        if (const auto& k = stipple_.interior) {
+        if (const auto& k = stipple_.interior; k && !idle_.interior) {
             const auto factor = optics::interiorFactor<float>(voxel.gradient, static_cast<float>(k->kte));
             result.tone *= factor;
             result.size *= factor;
@@ -106,6 +107,7 @@ class Factors {
     float wholeScale_;
     float halfDepth_;
     float centreDepth_;
+    IdleFactors idle_;
     glm::vec3 light_{0};
 };
 
@@ -187,6 +189,12 @@ InkColour colourAt(const RenderPlan& plan, const MarkField& field, const MarkVie
 }
 
 } // namespace
+
+IdleFactors idleFactors(const Stipple& stipple) {
+    // Not the one by resolution: whatever its exponent, dots from afar are smaller.
+    return {stipple.distance && !(std::abs(stipple.distance->kde) > 0),
+            stipple.interior && !(std::abs(stipple.interior->kte) > 0)};
+}
 
 double largestDotArea(const Stipple& stipple) { return 0.25 * std::numbers::pi * stipple.sizeMm * stipple.sizeMm; }
 

@@ -17,6 +17,13 @@ struct VoxelInk {
     float facing = 0;   ///< |n.e|
 };
 
+/// Factors that a figure has but that are 1 at every voxel.
+struct IdleFactors {
+    bool distance = false;
+    bool interior = false;
+};
+IdleFactors idleFactors(const Stipple& stipple);
+
 /// A figure's marks at work in one view.
 struct MarkScene {
     const RenderPlan& plan;

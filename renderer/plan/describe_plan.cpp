@@ -137,7 +137,7 @@ void describeMarks(const RenderPlan& plan, const AddFeature& feature) {
 /// Each measure on its own: one without a weight is not taken.
 void describeImportance(const RenderPlan& plan, const AddFeature& feature) {
     feature(plan.importance.has_value(), "importance-aware composition", "the figure weighs what matters",
-            plan.figure->importance ? "nothing is weighed" : "the figure has none");
+            "the figure has none");
     if (!plan.importance) {
         return;
     }
@@ -159,42 +159,7 @@ void describeImportance(const RenderPlan& plan, const AddFeature& feature) {
             "importance acts everywhere");
 }
 
-} // namespace
-
-void describePlan(RenderPlan& plan, const PlanRequest& request) {
-    plan.notDrawn = partsNotDrawn(*plan.figure);
-    const AddFeature feature = [&](bool used, const char* name, const char* why, const char* whyNot) {
-        (used ? plan.featuresUsed : plan.featuresLeftOut).push_back({name, used ? why : whyNot});
-    };
-    const bool style = anyLayer(plan, [](const PlanLayer& l) { return l.shading == Shading::style; });
-    const bool phong = anyLayer(plan, [](const PlanLayer& l) { return l.shading == Shading::phong; });
-    feature(style, "lit-sphere styles", "a layer is drawn in styles", "no layer is drawn in styles");
-    feature(style && plan.atlas && plan.atlas->directionalOpacity, "directional opacity",
-            "a style has transparent directions", "every style is opaque in all directions");
-    feature(plan.mipLevels.has_value(), "mip levels of styles",
-            "pixels are wider than voxels, here more and there less", whyNoMipLevels(plan));
-    feature(phong, "Phong shading", "a layer asks for it", "no layer asks for it");
-    feature(readsNormal(plan), gradientName(plan.gradient), "layers or importance need normals",
-            "nothing drawn needs normals");
-    describeTransfers(plan, feature);
-    describeParts(plan, feature);
-    describeImportance(plan, feature);
-    describeMarks(plan, feature);
-    feature(plan.layers.size() > 1, "several layers", "more than one layer shows", "one layer at most shows");
-    feature(plan.rays.perspective, "perspective", "the camera has it", "the camera is orthographic");
-    feature(plan.subPixels > 1, "supersampling", "several rays for each pixel", "one ray for each pixel");
-    feature(cutsAnything(plan.clip), "clipping", "a box or planes cut the volume", "nothing is cut away");
-    feature(!plan.figure->cleanup.empty(), "clean-up", "steps remove matter from the volume", "no clean-up steps");
-    const bool codes = plan.eightBits && plan.eightBits->whyFull.empty();
-    const std::string codesCost = codes ? describeEightBits(plan) : "";
-    feature(codes, "eight-bit voxels", codesCost.c_str(),
-            plan.eightBits ? plan.eightBits->whyFull.c_str() : "the voxels are as they are");
-    feature(request.omit, "empty-space skipping", "blocks that show nothing are passed over", "switched off");
-    const std::size_t hidden = plan.figure->layers.size() - plan.layers.size();
-    if (hidden > 0) {
-        plan.featuresLeftOut.push_back(
-            {std::to_string(hidden) + (hidden == 1 ? " layer" : " layers"), "hidden, or without any opacity"});
-    }
+void countBytes(RenderPlan& plan) {
     for (const PlanLayer& layer : plan.layers) {
         plan.bytes += tableBytes(layer);
     }
@@ -217,6 +182,57 @@ void describePlan(RenderPlan& plan, const PlanRequest& request) {
     plan.bytes += plan.secondVolume ? plan.secondVolume->bytes() : 0;
     plan.bytes += plan.marks ? plan.marks->field->bytes() : 0;
     plan.bytes += statisticsBytes(plan);
+}
+
+} // namespace
+
+void describePlan(RenderPlan& plan) {
+    plan.notDrawn = partsNotDrawn(*plan.figure);
+    plan.leftOut = rulesAtWork(plan);
+    const auto leavesOut = [&](LeaveOut rule) {
+        return std::any_of(plan.leftOut.begin(), plan.leftOut.end(),
+                           [rule](const LeftOut& out) { return out.rule == rule; });
+    };
+    const AddFeature feature = [&](bool used, const char* name, const char* why, const char* whyNot) {
+        (used ? plan.featuresUsed : plan.featuresNotAsked).push_back({name, used ? why : whyNot});
+    };
+    const bool style = anyLayer(plan, [](const PlanLayer& l) { return l.shading == Shading::style; });
+    const bool phong = anyLayer(plan, [](const PlanLayer& l) { return l.shading == Shading::phong; });
+    feature(style, "lit-sphere styles", "a layer is drawn in styles", "no layer is drawn in styles");
+    feature(style && plan.atlas && plan.atlas->directionalOpacity, "directional opacity",
+            "a style has transparent directions", "every style is opaque in all directions");
+    if (!leavesOut(LeaveOut::mipLevels)) {
+        feature(plan.mipLevels.has_value(), "mip levels of styles",
+                "pixels are wider than voxels, here more and there less", whyNoMipLevels(plan));
+    }
+    feature(phong, "Phong shading", "a layer asks for it", "no layer asks for it");
+    if (!leavesOut(LeaveOut::normals)) {
+        feature(readsNormal(plan), gradientName(plan.gradient), "layers or importance need normals",
+                "nothing is drawn that could need normals");
+    }
+    describeTransfers(plan, feature);
+    describeParts(plan, feature);
+    if (!leavesOut(LeaveOut::importance)) {
+        describeImportance(plan, feature);
+    }
+    describeMarks(plan, feature);
+    feature(plan.layers.size() > 1, "several layers", "more than one layer shows", "one layer at most shows");
+    feature(plan.rays.perspective, "perspective", "the camera has it", "the camera is orthographic");
+    feature(plan.subPixels > 1, "supersampling", "several rays for each pixel", "one ray for each pixel");
+    feature(cutsAnything(plan.clip), "clipping", "a box or planes cut the volume", "nothing is cut away");
+    feature(!plan.figure->cleanup.empty(), "clean-up", "steps remove matter from the volume", "no clean-up steps");
+    const bool codes = plan.eightBits && plan.eightBits->whyFull.empty();
+    const std::string codesCost = codes ? describeEightBits(plan) : "";
+    feature(codes, "eight-bit voxels", codesCost.c_str(),
+            plan.eightBits ? plan.eightBits->whyFull.c_str() : "the voxels are as they are");
+    feature(!plan.kept.has(LeaveOut::emptySpace), "empty-space skipping", "blocks that show nothing are passed over",
+            "switched off");
+    const auto hidden = std::count_if(plan.figure->layers.begin(), plan.figure->layers.end(),
+                                      [&](const Layer& layer) { return !plan.figure->draws(layer); });
+    if (hidden > 0) {
+        plan.featuresNotAsked.push_back({std::to_string(hidden) + (hidden == 1 ? " layer" : " layers"), "hidden"});
+    }
+    countBytes(plan);
 }
 
 } // namespace limner

@@ -5,6 +5,6 @@
 namespace limner {
 
 /// Fills in what a plan says about itself: features used and left out, parts not drawn, bytes held.
-void describePlan(RenderPlan& plan, const PlanRequest& request);
+void describePlan(RenderPlan& plan);
 
 } // namespace limner

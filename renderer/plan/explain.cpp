@@ -202,7 +202,8 @@ Explanation explainFigure(const Figure& figure, const PlanRequest& request, cons
     task.beginPhase("Planning");
     out.planningMs = millisecondsOf([&] { plan = planner.plan(figure, request, task); });
     out.used = plan->featuresUsed;
-    out.leftOut = plan->featuresLeftOut;
+    out.notAsked = plan->featuresNotAsked;
+    out.leftOut = plan->leftOut;
     out.notDrawn = plan->notDrawn;
     if (!figure.annotations.empty()) {
         out.annotations = describeAnnotations(*plan->figure, drawAnnotations(*plan->figure, {}));

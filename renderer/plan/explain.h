@@ -21,7 +21,8 @@ struct PartCost {
 /// What a figure uses and what that costs, on this machine.
 struct Explanation {
     std::vector<PlanFeature> used;
-    std::vector<PlanFeature> leftOut;
+    std::vector<PlanFeature> notAsked;    ///< parts that the figure has not
+    std::vector<LeftOut> leftOut;         ///< what the picture does not need
     std::vector<std::string> fields;      ///< read per sample: "value", "gradient", "labels"
     std::vector<std::string> annotations; ///< what is written over the picture, one line each
     std::vector<std::string> notDrawn;    ///< kept but not drawn by this version

@@ -25,14 +25,13 @@ double farthestDepth(const RenderPlan& plan) {
     return farthest;
 }
 
-/// Where neither depth nor curvature varies the level.
-bool oneServesAll(const RenderPlan& plan) {
+} // namespace
+
+bool oneLevelServesAll(const RenderPlan& plan) {
     return !plan.rays.perspective && std::none_of(plan.layers.begin(), plan.layers.end(), [](const PlanLayer& layer) {
-        return drawsSpheres(layer) && readsSecondDerivatives(layer);
+        return drawsSpheres(layer) && bendsLevels(layer);
     });
 }
-
-} // namespace
 
 double footprintVoxels(const RenderPlan& plan) {
     return plan.rays.footprintMm / plan.subPixels / plan.volume->grid().smallestSpacingMm();
@@ -44,9 +43,9 @@ int atlasTexels(const RenderPlan& plan, int largest) {
     return static_cast<int>(std::min<double>(largest, texels));
 }
 
-std::optional<PlanMipLevels> planMipLevels(const RenderPlan& plan, int atlasSize, bool omit) {
+std::optional<PlanMipLevels> planMipLevels(const RenderPlan& plan, int atlasSize) {
     const double footprint = footprintVoxels(plan);
-    if (oneServesAll(plan) || (omit && footprint * farthestDepth(plan) <= 1)) {
+    if (oneLevelServesAll(plan) || (!plan.kept.has(LeaveOut::mipLevels) && footprint * farthestDepth(plan) <= 1)) {
         return std::nullopt;
     }
     PlanMipLevels levels;
@@ -59,9 +58,7 @@ std::optional<PlanMipLevels> planMipLevels(const RenderPlan& plan, int atlasSize
 }
 
 const char* whyNoMipLevels(const RenderPlan& plan) {
-    return !plan.atlas          ? "no layer is drawn in styles"
-           : oneServesAll(plan) ? "one level serves the whole picture"
-                                : "no pixel is wider than a voxel";
+    return plan.atlas ? "one level serves the whole picture" : "no layer is drawn in styles";
 }
 
 } // namespace limner

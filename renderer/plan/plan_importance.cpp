@@ -18,6 +18,20 @@ bool weighsAnything(const Importance& importance) {
     return importance.global > 0 && ((measured && importance.cap > 0) || importance.background > 0);
 }
 
+/// Outlines darken whatever matters.
+bool darkens(const Importance& importance) {
+    return importance.weights.silhouette > 0 && importance.silhouette.darkening > 0;
+}
+
+bool anyWeighs(const std::vector<PlanLayer>& layers) {
+    return std::any_of(layers.begin(), layers.end(),
+                       [](const PlanLayer& layer) { return layer.source->importanceWeight > 0; });
+}
+
+bool weighsNoLayer(const std::vector<PlanLayer>& layers, const Importance& importance) {
+    return !anyWeighs(layers) && !(importance.background > 0) && !darkens(importance);
+}
+
 PlanImportance measuresOf(const RenderPlan& plan, const Importance& figures) {
     PlanImportance importance;
     importance.source = &figures;
@@ -41,7 +55,8 @@ bool weighsObjects(const Importance& importance) {
 
 std::optional<PlanImportance> planImportance(const RenderPlan& plan) {
     const auto& figures = plan.figure->importance;
-    if (!figures || !weighsAnything(*figures)) {
+    const bool kept = plan.kept.has(LeaveOut::importance);
+    if (!figures || (!kept && (!weighsAnything(*figures) || weighsNoLayer(plan.layers, *figures)))) {
         return std::nullopt;
     }
     PlanImportance importance = measuresOf(plan, *figures);
@@ -49,6 +64,19 @@ std::optional<PlanImportance> planImportance(const RenderPlan& plan) {
         importance.lenses.push_back(placeLens(lens, plan));
     }
     return importance;
+}
+
+bool mattersNowhere(const PlanImportance& importance, const std::vector<PlanLayer>& layers) {
+    const Importance& figures = *importance.source;
+    if (figures.background > 0 || darkens(figures) || (figures.weights.unocclusion > 0 && anyWeighs(layers))) {
+        return false;
+    }
+    const std::vector<float>& bounds = importance.bricks->greatest;
+    return std::none_of(bounds.begin(), bounds.end(), [](float greatest) { return greatest > 0; });
+}
+
+bool settlesImportance(const RenderPlan& plan) {
+    return plan.importance && !(plan.importance->source->weights.unocclusion > 0);
 }
 
 double greatestOfPlace(const Importance& importance) {
@@ -90,7 +118,8 @@ bool measuresReadNormal(const RenderPlan& plan) {
 } // namespace
 
 bool readsNormal(const RenderPlan& plan) {
-    return std::any_of(plan.layers.begin(), plan.layers.end(), [](const auto& layer) { return readsNormal(layer); }) ||
+    return plan.kept.has(LeaveOut::normals) ||
+           std::any_of(plan.layers.begin(), plan.layers.end(), [](const auto& layer) { return readsNormal(layer); }) ||
            measuresReadNormal(plan) || readNormals(plan.figure->depthCues);
 }
 
@@ -98,7 +127,7 @@ bool readsGradientScale(const RenderPlan& plan) {
     // Normals that are mixed with others go by how far they are trusted.
     const auto mixes = [](const PlanLayer& layer) { return (layer.cut && layer.cut->faces) || layer.focus; };
     const bool mixed = plan.faces || std::any_of(plan.layers.begin(), plan.layers.end(), mixes);
-    return (mixed && readsNormal(plan)) ||
+    return plan.kept.has(LeaveOut::normals) || (mixed && readsNormal(plan)) ||
            std::any_of(plan.layers.begin(), plan.layers.end(),
                        [](const auto& layer) { return readsGradientScale(layer); }) ||
            measuresReadNormal(plan) || readNormals(plan.figure->depthCues);

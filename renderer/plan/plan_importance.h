@@ -6,10 +6,17 @@
 
 namespace limner {
 
-/// The importance of a plan's figure, but for the fields it reads and the bricks' bounds; nothing where every sample
-/// and the background would matter equally, so that composition is the ordinary one. The plan has its figure, volume
-/// and rays.
+/// The importance of a plan's figure, but for the fields it reads and the bricks' bounds; nothing where it is clear
+/// without them that every sample and the background matter equally, so that composition is the ordinary one. The plan
+/// has its figure, volume, rays and layers.
 std::optional<PlanImportance> planImportance(const RenderPlan& plan);
+
+/// Whether nothing that can show matters, by the bricks' bounds, nor the background, and no colour is darkened.
+bool mattersNowhere(const PlanImportance& importance, const std::vector<PlanLayer>& layers);
+
+/// Whether a ray's samples can be known to have no importance of their own by what lies ahead of them: not where it
+/// goes by what the ray has met.
+bool settlesImportance(const RenderPlan& plan);
 
 /// The measures that the axis "importance" of a layer reads, but for their fields; nothing where no layer does. Throws
 /// Error(badInput) where the figure weighs nothing.

@@ -13,7 +13,7 @@ namespace {
 double objectMmPerPaperMm(const Figure& figure) { return figure.camera.heightMm / figure.output.heightMm; }
 
 std::optional<PlanContours> planContours(const Contours& source, const LayerSurroundings& around) {
-    if (!(source.thicknessMm > 0)) {
+    if (!(source.thicknessMm > 0) && !around.kept.has(LeaveOut::curvature)) {
         return std::nullopt;
     }
     PlanContours contours;
@@ -98,6 +98,22 @@ bool drawsSpheres(const PlanLayer& layer) {
                                                           [](const auto& e) { return e.sphere != nullptr; });
 }
 
+namespace {
+
+/// Light that changes no colour, and transparency that clears nothing, read no normals.
+void leaveOutIdleNormals(PlanLayer& layer) {
+    const auto is = [](double v, double wanted) { return !(std::abs(v - wanted) > 0); };
+    if (layer.shading == Shading::phong && is(layer.light.ambient, 1) && is(layer.light.diffuse, 0) &&
+        is(layer.specular.strength, 0)) {
+        layer.shading = Shading::flat;
+    }
+    const std::vector<float>& opacity = layer.table.rows == 0 ? layer.table.opacity : layer.table.opacity2d;
+    const bool opaque = std::all_of(opacity.begin(), opacity.end(), [](float a) { return a >= 1; });
+    layer.illustrative = layer.illustrative && !opaque; // 1 to any power is 1
+}
+
+} // namespace
+
 PlanLayer planLayer(const Layer& source, const LayerSurroundings& around) {
     PlanLayer layer;
     layer.name = source.name;
@@ -114,6 +130,9 @@ PlanLayer planLayer(const Layer& source, const LayerSurroundings& around) {
     layer.styles = indexStyles(around.figure, source.transfer);
     if (layer.shading == Shading::style && !drawsSpheres(layer)) {
         layer.shading = Shading::flat; // only plain colours: constant spheres are unshaded colour
+    }
+    if (!around.kept.has(LeaveOut::normals)) {
+        leaveOutIdleNormals(layer);
     }
     if (layer.shading == Shading::style) {
         layer.textures = planTextures(layer.styles, around.sampleMm);
@@ -175,6 +194,24 @@ bool readsSecondDerivatives(const PlanLayer& layer) {
     const bool byContours = layer.contours && layer.contours->curvatureControlled &&
                             layer.contours->curvature == CurvatureEstimator::hessian;
     return byContours || readsAxis(layer, TransferAxis::curvature);
+}
+
+bool bendsLevels(const PlanLayer& layer) {
+    const bool contoured = layer.contours && layer.contours->thicknessMm > 0;
+    return readsSecondDerivatives(layer) && (contoured || readsAxis(layer, TransferAxis::curvature));
+}
+
+bool hasOneColour(const PlanLayer& layer) {
+    const std::vector<int>& nodes = layer.styles.nodeToStyle;
+    const auto all = [&](const auto& same) {
+        return !nodes.empty() && std::all_of(nodes.begin(), nodes.end(), [&](int style) {
+            return same(static_cast<std::size_t>(style), static_cast<std::size_t>(nodes.front()));
+        });
+    };
+    if (layer.shading == Shading::style) {
+        return all([&](std::size_t a, std::size_t b) { return layer.atlasSlots[a] == layer.atlasSlots[b]; });
+    }
+    return all([&](std::size_t a, std::size_t b) { return layer.styles.styles[a].rgb == layer.styles.styles[b].rgb; });
 }
 
 bool readsLabels(const PlanLayer& layer) { return !layer.shownSlots.empty() || !layer.rowOfSlot.empty(); }

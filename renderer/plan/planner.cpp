@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/volume/cleanup.h"
 #include "core/volume/gradient_statistics.h"
+#include "core/volume/widened.h"
 #include "renderer/plan/depth_cues.h"
 #include "renderer/plan/describe_plan.h"
 #include "renderer/plan/eight_bits.h"
@@ -97,6 +98,7 @@ struct Planner::Cache {
                                  std::shared_ptr<const Volume>, Importance, std::vector<Layer>>;
     using MinMaxKey = std::pair<std::shared_ptr<const Volume>, SampleReach>;
     RecentResults<CleanKey, std::shared_ptr<const Volume>> cleaned;
+    RecentResults<std::shared_ptr<const Volume>, std::shared_ptr<const Volume>> widened;
     EightBits eightBits;
     RecentResults<MinMaxKey, std::shared_ptr<const MinMaxGrid>> minMax;
     RecentResults<std::pair<std::shared_ptr<const MinMaxGrid>, std::shared_ptr<const Volume>>,
@@ -126,12 +128,13 @@ struct Planner::Cache {
         return sphere;
     }
 
-    void packAtlas(RenderPlan& plan, bool omit);
-    void addSkipGrid(RenderPlan& plan, const PlanRequest& request);
+    void packAtlas(RenderPlan& plan);
+    void addSkipGrid(RenderPlan& plan);
+    void boundImportance(RenderPlan& plan, const MinMaxGrid& lowHigh);
     void measureGradients(RenderPlan& plan);
 };
 
-void Planner::Cache::packAtlas(RenderPlan& plan, bool omit) {
+void Planner::Cache::packAtlas(RenderPlan& plan) {
     std::vector<std::shared_ptr<const LitSphere>> spheres;
     int largest = 0;
     for (PlanLayer& layer : plan.layers) {
@@ -152,21 +155,18 @@ void Planner::Cache::packAtlas(RenderPlan& plan, bool omit) {
         return;
     }
     const int size = atlasSize(atlasTexels(plan, largest));
-    plan.mipLevels = planMipLevels(plan, size, omit);
+    plan.mipLevels = planMipLevels(plan, size);
     const AtlasLevels levels = plan.mipLevels ? AtlasLevels::all : AtlasLevels::one;
     plan.atlas = atlas.get({spheres, size, levels}, [&] { return packStyles(spheres, size, levels); });
 }
 
-void Planner::Cache::addSkipGrid(RenderPlan& plan, const PlanRequest& request) {
+void Planner::Cache::addSkipGrid(RenderPlan& plan) {
     const SampleReach reach = plan.interpolation == Interpolation::linear ? SampleReach::cell : SampleReach::neighbours;
     auto lowHigh = minMax.get({plan.field, reach}, [&] { return computeMinMaxGrid(*plan.field, reach); });
     if (!plan.blurs.empty()) {
         lowHigh = minMaxWithBlurs.get({lowHigh, plan.blurs.front()}, [&] { return withBlurs(*lowHigh, plan); });
     }
     VisibleRange range = visibleRange(plan.layers, *plan.volume);
-    if (!request.omit) {
-        std::fill(range.visible.begin(), range.visible.end(), std::uint8_t{1});
-    }
     // The field may keep its numbers otherwise than the volume.
     range.low = plan.field->storedFromValue(plan.volume->valueFromStored(range.low));
     range.high = plan.field->storedFromValue(plan.volume->valueFromStored(range.high));
@@ -174,16 +174,32 @@ void Planner::Cache::addSkipGrid(RenderPlan& plan, const PlanRequest& request) {
         std::swap(range.low, range.high);
         std::reverse(range.visible.begin(), range.visible.end());
     }
-    plan.skip =
-        skip.get({lowHigh, range.low, range.high, range.visible}, [&] { return computeSkipGrid(*lowHigh, range); });
+    const auto grid = [&]() -> const std::shared_ptr<const SkipGrid>& {
+        return skip.get({lowHigh, range.low, range.high, range.visible},
+                        [&] { return computeSkipGrid(*lowHigh, range); });
+    };
+    plan.skip = grid();
     if (plan.importance) {
-        Importance bounded = *plan.importance->source;
-        bounded.global = 0;
-        bounded.background = 0;
-        bounded.lenses.clear();
-        plan.importance->bricks =
-            bricks.get({plan.skip, plan.labels, plan.importance->statistics, bounded, plan.figure->layers},
-                       [&] { return computeImportanceBricks(plan, *lowHigh); });
+        boundImportance(plan, *lowHigh);
+    }
+    if (plan.kept.has(LeaveOut::emptySpace)) {
+        std::fill(range.visible.begin(), range.visible.end(), std::uint8_t{1});
+        plan.skip = grid();
+    }
+}
+
+void Planner::Cache::boundImportance(RenderPlan& plan, const MinMaxGrid& lowHigh) {
+    Importance bounded = *plan.importance->source;
+    bounded.global = 0;
+    bounded.background = 0;
+    bounded.lenses.clear();
+    plan.importance->bricks =
+        bricks.get({plan.skip, plan.labels, plan.importance->statistics, bounded, plan.figure->layers},
+                   [&] { return computeImportanceBricks(plan, lowHigh); });
+    if (!plan.kept.has(LeaveOut::importance) && mattersNowhere(*plan.importance, plan.layers)) {
+        plan.importance.reset();
+        const bool read = plan.axisMeasures || std::any_of(plan.layers.begin(), plan.layers.end(), readsLabels);
+        plan.labels = read ? plan.labels : nullptr;
     }
 }
 
@@ -204,6 +220,7 @@ std::shared_ptr<const RenderPlan> Planner::plan(const Figure& figure, const Plan
     checkDrawable(figure);
     auto plan = std::make_shared<RenderPlan>();
     plan->figure = std::make_shared<const Figure>(figure);
+    plan->kept = request.omit ? request.kept : KeptIn::everything();
     plan->size = request.size.x > 0 ? request.size : figure.output.sizePixels();
     const double aspect = figure.output.aspect(); // not the picture's: a window's pixels must not move a cut
     const auto labels = figure.labels ? figure.labels->data : nullptr;
@@ -211,6 +228,10 @@ std::shared_ptr<const RenderPlan> Planner::plan(const Figure& figure, const Plan
         return applyCleanup(figure.volume->data, labels.get(), figure.cleanup, aspect, task);
     });
     const Quality& quality = figure.quality;
+    if (plan->kept.has(LeaveOut::wideVoxels) && plan->volume->type() == VoxelType::uint8 &&
+        quality.precision == VoxelPrecision::full) {
+        plan->volume = cache_->widened.get(plan->volume, [&] { return widenedToInt16(*plan->volume); });
+    }
     plan->subPixels = request.subPixels > 0           ? request.subPixels
                       : quality.samplesPerPixel >= 16 ? 4
                       : quality.samplesPerPixel >= 4  ? 2
@@ -218,7 +239,7 @@ std::shared_ptr<const RenderPlan> Planner::plan(const Figure& figure, const Plan
     plan->referenceLengthMm = plan->volume->grid().smallestSpacingMm();
     plan->lattice = request.lattice.value_or(
         SampleLattice{quality.stepVoxels * request.stepScale * plan->referenceLengthMm, 0.5, 0});
-    plan->earlyTermination = quality.earlyTermination;
+    plan->earlyTermination = plan->kept.has(LeaveOut::restOfRay) ? 0 : quality.earlyTermination;
     plan->clip = figure.clip;
     cache_->fields.chooseEstimators(*plan, task);
     cache_->eightBits.apply(*plan, task);
@@ -227,29 +248,33 @@ std::shared_ptr<const RenderPlan> Planner::plan(const Figure& figure, const Plan
         plan->faces = planCut(figure.clip, figure, plan->rays);
     }
     plan->gradientRounding = gradientRounding(*plan->gradientField);
-    addLayers(*plan, request, task);
+    addLayers(*plan, task);
     plan->importance = planImportance(*plan);
     plan->axisMeasures = planAxisMeasures(*plan);
     task.throwIfCancelled();
     cache_->fields.addFields(*plan, task);
-    cache_->addSkipGrid(*plan, request);
-    cache_->packAtlas(*plan, request.omit);
+    cache_->addSkipGrid(*plan);
+    cache_->packAtlas(*plan);
     cache_->measureGradients(*plan);
     cache_->cues.add(*plan, request.stepScale > 1 ? CueDetail::draft : CueDetail::still, task);
     cache_->marks.add(*plan, request, task);
-    describePlan(*plan, request);
+    describePlan(*plan);
     return plan;
 }
 
-void Planner::addLayers(RenderPlan& plan, const PlanRequest& request, Task& task) {
+void Planner::addLayers(RenderPlan& plan, Task& task) {
     for (const Layer& layer : plan.figure->layers) {
         if (!plan.figure->draws(layer) || !needsLayers(*plan.figure)) {
             continue; // no part of the picture: to keep it in would draw it
         }
-        const LayerSurroundings around{*plan.figure, *plan.volume, cache_->fields.axisRanges(plan, layer, task),
-                                       plan.rays.footprintMm / plan.subPixels, plan.rays};
+        const LayerSurroundings around{*plan.figure,
+                                       *plan.volume,
+                                       cache_->fields.axisRanges(plan, layer, task),
+                                       plan.rays.footprintMm / plan.subPixels,
+                                       plan.rays,
+                                       plan.kept};
         PlanLayer planned = planLayer(layer, around);
-        if (!request.omit || showsAnything(layer, planned.table)) {
+        if (plan.kept.has(LeaveOut::layers) || showsAnything(layer, planned.table)) {
             planned.stepOpacity = stepOpacity(planned.table.opacity, plan.lattice.stepMm / plan.referenceLengthMm);
             plan.layers.push_back(std::move(planned));
         }

@@ -13,6 +13,7 @@ struct PlanRequest {
     double stepScale = 1; ///< > 1: coarser steps for a draft
     int subPixels = 0;    ///< per axis; 0: the figure's quality
     bool omit = true; ///< false: keep all but hidden layers in (`--no-omit`), to prove that leaving out changes nothing
+    KeptIn kept;      ///< with `omit`: single rules that are switched off
     bool moving = false;                  ///< a frame of a drag: marks stay on the volume
     std::optional<SampleLattice> lattice; ///< instead of the figure's, for convergence studies
 };
@@ -29,7 +30,7 @@ class Planner {
     std::shared_ptr<const RenderPlan> plan(const Figure& figure, const PlanRequest& request, Task& task);
 
   private:
-    void addLayers(RenderPlan& plan, const PlanRequest& request, Task& task);
+    void addLayers(RenderPlan& plan, Task& task);
 
     struct Cache;
     std::mutex mutex_;

@@ -2,6 +2,7 @@
 
 #include "core/figure/figure.h"
 #include "core/style/transfer_function.h"
+#include "renderer/plan/leave_out.h"
 #include "renderer/plan/lenses.h"
 #include "renderer/plan/planned_layer.h"
 #include "renderer/plan/skip_grid.h"
@@ -101,7 +102,7 @@ struct PlanEightBits {
 /// A part of the renderer that a figure may need.
 struct PlanFeature {
     std::string name;   ///< "style", "phong", "perspective", "contours", ...
-    std::string reason; ///< why it is in, or why it was left out
+    std::string reason; ///< why it is in, or why it is not
 };
 
 /// Everything a backend needs for one figure at one size, derived by `Planner`. Immutable and shareable: what several
@@ -149,13 +150,15 @@ struct RenderPlan {
     /// Absent where all samples read the atlas's finest picture: it then has no other.
     std::optional<PlanMipLevels> mipLevels;
 
+    KeptIn kept; ///< what stays in though it need not
+    std::vector<LeftOut> leftOut;
     std::vector<PlanFeature> featuresUsed;
-    std::vector<PlanFeature> featuresLeftOut;
+    std::vector<PlanFeature> featuresNotAsked; ///< the figure has no such part
     std::vector<std::string> notDrawn; ///< figure parts that this version keeps but does not draw, one line each
     std::size_t bytes = 0;             ///< held by the plan beyond the volume
 };
 
-/// What a picture's samples are measured for, by any layer or for their importance.
+/// What a picture's samples are measured for, by any layer or for their importance; or because it is kept in.
 bool readsNormal(const RenderPlan& plan);
 bool readsGradientScale(const RenderPlan& plan);
 

@@ -129,6 +129,7 @@ struct KernelLayer {
     std::int32_t columnStride = 1;
     std::int32_t nodeRowStride = 0;
     const KernelTexture* textures = nullptr;  ///< one per node; null: no style has one
+    bool oneColour = false;                   ///< Phong and flat: all nodes have the first one's
     std::int32_t singleSlot = -1;             ///< >= 0: all nodes have this style, `index` is not read
     const std::int16_t* rowOfSlot = nullptr;  ///< label axis: label slot -> row, -1: none
     const std::uint8_t* shownSlots = nullptr; ///< label slot -> 1 where it shows
@@ -176,6 +177,8 @@ struct KernelImportance {
     float background = 0;
     float limit = 0;     ///< the cap, no more than what all importances stay below
     float layerMost = 0; ///< greatest weight of a layer
+    bool settles =
+        false; ///< what lies ahead bounds a sample's importance: where that claims nothing it is not measured
     float noiseFloor = 0;
     float intensityScale = 1; ///< of table entries
     float intensityBias = 0;

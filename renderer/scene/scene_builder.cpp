@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/optics/measures.h"
+#include "renderer/plan/plan_importance.h"
 #include "renderer/plan/plan_layer.h"
 
 #include <glm/common.hpp>
@@ -14,6 +15,14 @@
 #include <limits>
 
 namespace limner {
+
+namespace {
+
+bool leavesOutLookups(const RenderPlan& plan, const PlanLayer& layer) {
+    return !plan.kept.has(LeaveOut::colourLookups) && hasOneColour(layer);
+}
+
+} // namespace
 
 BuiltScene::BuiltScene(const RenderPlan& plan) {
     setVolume(plan);
@@ -173,10 +182,11 @@ void BuiltScene::setImportance(const RenderPlan& plan) {
     setMeasures(*plan.importance, out);
     const auto number = [](double v) { return static_cast<float>(v); };
     out.global = number(settings.global);
-    out.actsPerWeight = number(1 / settings.global);
+    out.actsPerWeight = number(settings.global > 0 ? 1 / settings.global : 0);
     out.extinction = number(settings.weights.extinction);
     out.unocclusion = number(settings.weights.unocclusion);
     out.background = number(settings.background);
+    out.settles = settlesImportance(plan) && !plan.kept.has(LeaveOut::importanceOfRest);
     out.limit = number(std::min(settings.cap, optics::kGreatestImportance));
     out.noiseFloor = number(settings.noiseFloor);
     out.darkening = number(settings.silhouette.darkening);
@@ -351,15 +361,15 @@ void BuiltScene::addLook(const RenderPlan& plan, const PlanLayer& layer, KernelL
         out.specularStrength = static_cast<float>(layer.specular.strength);
         out.specularExponent = static_cast<float>(layer.specular.exponent);
         addColours(layer, out);
+        out.oneColour = leavesOutLookups(plan, layer);
         return;
     }
-    out.curvedLevels = readsSecondDerivatives(layer);
+    out.curvedLevels = bendsLevels(layer);
     std::vector<std::int32_t> slots;
     for (const int style : layer.styles.nodeToStyle) {
         slots.push_back(layer.atlasSlots[static_cast<std::size_t>(style)]);
     }
-    const bool single = std::all_of(slots.begin(), slots.end(), [&](std::int32_t s) { return s == slots.front(); });
-    out.singleSlot = single ? slots.front() : -1;
+    out.singleSlot = leavesOutLookups(plan, layer) ? slots.front() : -1;
     out.directionalOpacity = plan.atlas->directionalOpacity &&
                              std::any_of(layer.styles.styles.begin(), layer.styles.styles.end(),
                                          [](const auto& s) { return s.sphere && s.sphere->hasDirectionalOpacity(); });

@@ -212,7 +212,7 @@ TEST(MipLevels, AreLeftOutWhereNoRayIsWiderThanAVoxel) {
         PlanRequest request;
         request.size = {128, 128};
         const auto lean = testing::planOf(figure, request);
-        request.omit = false;
+        request.kept = {LeaveOut::mipLevels};
         const auto all = testing::planOf(figure, request);
         EXPECT_FALSE(lean->mipLevels);
         EXPECT_EQ(lean->atlas->levelStart.size(), 1U);
@@ -240,7 +240,7 @@ TEST(MipLevels, OfALayerDoNotAskAnother) {
     PlanRequest request;
     request.size = {64, 64};
     request.subPixels = 1;
-    request.omit = false;
+    request.kept = {LeaveOut::layers};
     const auto beside = testing::planOf(figure, request);
     ASSERT_TRUE(beside->mipLevels);
     // One layer of two is summed in another order: rays end a sample sooner or later.

@@ -213,7 +213,14 @@ TEST_F(WithScan, TilesAndThreadsAndKeepingEverythingChangeNoPixel) {
     const auto whole = render("a.png", {});
     EXPECT_EQ(whole, render("b.png", {"--tile", "33"}));
     EXPECT_EQ(whole, render("c.png", {"--threads", "1"}));
-    EXPECT_EQ(whole, render("d.png", {"--no-omit"}));
+    const std::vector<std::string> toTheEnd{"--set", "/quality/early_termination=0"};
+    const auto far = render("d.png", toTheEnd);
+    const auto kept = render("e.png", {"--no-omit"}); // rays go to the end as well
+    ASSERT_EQ(kept.size(), far.size());
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        ASSERT_NEAR(kept[i], far[i], 2.0 / 65535) << i;
+        ASSERT_NEAR(kept[i], whole[i], 0.001 + 2.0 / 65535) << i; // the default's early termination
+    }
 }
 
 TEST_F(WithScan, OptionsChangeThePicture) {
@@ -274,6 +281,29 @@ TEST_F(WithScan, ExplainKeepsItsNames) {
     EXPECT_GT(f.at("bytes").at("total").get<std::uint64_t>(), 48U * 48U * 48U * 2U);
     EXPECT_GT(f.at("milliseconds").at("measured").at("rendering").get<double>(), 0);
     EXPECT_GT(f.at("milliseconds").at("estimated").at("total").get<double>(), 0);
+}
+
+TEST_F(WithScan, ExplainMeasuresWhatIsSaved) {
+    const ProgramRun r = run({"explain", scan(), "--size", "64x64", "--savings", "--json"});
+    ASSERT_EQ(r.code, 0) << r.err;
+    const auto f = r.facts();
+    const auto saved = f.at("savings");
+    ASSERT_EQ(saved.at("rules").size(), f.at("features_left_out").size());
+    double sum = 0;
+    for (std::size_t i = 0; i < saved.at("rules").size(); ++i) {
+        const auto& rule = saved.at("rules")[i];
+        EXPECT_EQ(rule.at("name"), f.at("features_left_out")[i]);
+        EXPECT_FALSE(rule.at("condition").get<std::string>().empty());
+        sum += rule.at("milliseconds").get<double>();
+    }
+    EXPECT_NEAR(saved.at("sum").at("milliseconds").get<double>(), sum, 1e-6);
+    EXPECT_GT(saved.at("without_any").at("milliseconds").get<double>(), 0);
+    for (const auto& name : f.at("features_not_asked")) {
+        EXPECT_EQ(std::count(f.at("features_left_out").begin(), f.at("features_left_out").end(), name), 0) << name;
+    }
+    const ProgramRun text = run({"explain", scan(), "--size", "64x64", "--savings"});
+    EXPECT_NE(text.out.find("all at once"), std::string::npos) << text.out;
+    EXPECT_FALSE(run({"explain", scan(), "--size", "64x64", "--json"}).facts().contains("savings"));
 }
 
 TEST_F(WithScan, AnnotationsAreDrawnAndExplained) {

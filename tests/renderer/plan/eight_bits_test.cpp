@@ -56,7 +56,7 @@ TEST(EightBits, FullVoxelsAreTheScansOwn) {
     const auto plan = planOf(figure);
     EXPECT_EQ(plan->volume, figure.volume->data);
     EXPECT_FALSE(plan->eightBits);
-    EXPECT_NE(featureOf(plan->featuresLeftOut), nullptr);
+    EXPECT_NE(featureOf(plan->featuresNotAsked), nullptr);
 }
 
 TEST(EightBits, HalfTheMemoryAtAnErrorThatIsShown) {
@@ -85,7 +85,7 @@ TEST(EightBits, AFigureThatNeedsFullVoxelsKeepsThemAndSaysWhy) {
         figure.quality.precision = VoxelPrecision::eightBits;
         const auto plan = planOf(figure);
         EXPECT_EQ(plan->volume, figure.volume->data);
-        const PlanFeature* feature = featureOf(plan->featuresLeftOut);
+        const PlanFeature* feature = featureOf(plan->featuresNotAsked);
         return feature == nullptr ? "" : feature->reason;
     };
     Figure figure = figureOf(crowded());

@@ -184,7 +184,7 @@ TEST_F(PlanFieldsTest, NoBlockThatShowsIsSkipped) {
         PlanRequest request;
         request.size = {40, 40};
         const auto lean = planner_.plan(figure, request, task_);
-        request.omit = false;
+        request.kept = {LeaveOut::emptySpace};
         const auto full = planner_.plan(figure, request, task_);
         EXPECT_EQ(full->skip->occupied, 1);
         const auto backend = makeCpuBackend();

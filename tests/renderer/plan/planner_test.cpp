@@ -74,12 +74,12 @@ TEST_F(PlannerTest, PartsThatAreNotUsedAreNotInThePlan) {
     Figure figure = headFigure();
     const auto styled = plan(figure);
     EXPECT_TRUE(names(styled->featuresUsed, "lit-sphere styles"));
-    EXPECT_TRUE(names(styled->featuresLeftOut, "Phong shading"));
-    EXPECT_TRUE(names(styled->featuresLeftOut, "perspective"));
+    EXPECT_TRUE(names(styled->featuresNotAsked, "Phong shading"));
+    EXPECT_TRUE(names(styled->featuresNotAsked, "perspective"));
     figure.layers[0].shading = Shading::phong;
     const auto phong = plan(figure);
     EXPECT_EQ(phong->atlas, nullptr);
-    EXPECT_TRUE(names(phong->featuresLeftOut, "lit-sphere styles"));
+    EXPECT_TRUE(names(phong->featuresNotAsked, "lit-sphere styles"));
     figure.layers[0].visible = false;
     EXPECT_TRUE(plan(figure)->layers.empty());
     EXPECT_EQ(makeCpuBackend()->render(*plan(figure), {{0, 0}, {64, 64}}, task_).samples, 0U);
@@ -87,17 +87,18 @@ TEST_F(PlannerTest, PartsThatAreNotUsedAreNotInThePlan) {
 
 TEST_F(PlannerTest, SaysWhetherStylesHaveMipLevels) {
     Figure figure = headFigure();
-    EXPECT_TRUE(names(plan(figure)->featuresLeftOut, "mip levels of styles")); // orthographic: one serves all
+    EXPECT_TRUE(names(plan(figure)->featuresNotAsked, "mip levels of styles")); // orthographic: one serves all
     figure.camera.projection = Projection::perspective;
     figure.camera.heightMm = 960; // pixels of three voxels
     const auto far = plan(figure);
     EXPECT_TRUE(names(far->featuresUsed, "mip levels of styles"));
     EXPECT_EQ(far->atlas->levelStart.size(), far->atlas->pictures.size());
     figure.camera.heightMm = 120; // of a third
-    EXPECT_TRUE(names(plan(figure)->featuresLeftOut, "mip levels of styles"));
+    EXPECT_FALSE(names(plan(figure)->featuresNotAsked, "mip levels of styles"));
+    EXPECT_FALSE(plan(figure)->mipLevels);
     figure.layers[0].shading = Shading::phong;
     figure.camera.heightMm = 960;
-    EXPECT_TRUE(names(plan(figure)->featuresLeftOut, "mip levels of styles"));
+    EXPECT_TRUE(names(plan(figure)->featuresNotAsked, "mip levels of styles"));
 }
 
 TEST_F(PlannerTest, HiddenLayersAreInNoPlan) {
