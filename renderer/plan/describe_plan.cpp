@@ -83,6 +83,9 @@ void describeTransfers(const RenderPlan& plan, const AddFeature& feature) {
             "voxels are joined otherwise");
     feature(plan.interpolation == Interpolation::smooth, "smooth interpolation",
             "the quality asks for it, or the slices are thick", "voxels are joined otherwise");
+    const int entries = plan.figure->quality.tableEntries;
+    const std::string asked = "the quality asks for " + std::to_string(entries) + " entries";
+    feature(entries > 0, "tables of a chosen size", asked.c_str(), "tables are as fine as the data need");
     const std::string whyNot = whyNoSlabs(plan);
     feature(plan.preintegrated, "pre-integration", "the quality asks for it", whyNot.c_str());
 }
