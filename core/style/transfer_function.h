@@ -92,8 +92,9 @@ struct AxisRanges {
 /// used range; where that is not too many, a whole number of entries per stored number. Over another axis 4096.
 /// Two dimensions: over the value at most 2048 entries, where there are fewer stored numbers a whole number of entries
 /// for each; over another axis 1024; 256 rows, or one per label. Every entry is the exact function, rounded to float.
-/// The gradient ranges over [0, 1]. Parallel and thread-safe.
-TransferTable bakeTransfer(const Layer& layer, const Volume& volume, const AxisRanges& ranges = {});
+/// The gradient ranges over [0, 1]. `entries` above 0: so many along X instead (two dimensions: at most, and labels are
+/// left alone); what is narrower than an entry may then be lost. Parallel and thread-safe.
+TransferTable bakeTransfer(const Layer& layer, const Volume& volume, const AxisRanges& ranges = {}, int entries = 0);
 
 /// `ift`: node -> position in the list of distinct styles. Nodes with a plain colour get a style of their own (a
 /// constant sphere), equal colours one and the same.

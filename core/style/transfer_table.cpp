@@ -144,13 +144,17 @@ void fillRows(TransferTable& table, const std::vector<double>& positions, Fill f
     }
 }
 
-TransferTable bakeCurve(const Layer& layer, const Volume& volume, const AxisRanges& ranges) {
+/// A line has two entries at least.
+std::int64_t asked(int entries) { return std::max(2, entries); }
+
+TransferTable bakeCurve(const Layer& layer, const Volume& volume, const AxisRanges& ranges, int entries) {
     TransferTable table;
     const TransferAxis axis = firstAxis(layer.transfer);
     const ValueRange range = axisRange(axis, volume, ranges);
     const std::int64_t least = volume.type() == VoxelType::uint8 ? kEntries8 : kEntries16;
-    setColumns(table, axis, range,
-               axis == TransferAxis::value ? valueEntries(volume, range, {least, kMostEntries}) : kEntries16);
+    const std::int64_t automatic =
+        axis == TransferAxis::value ? valueEntries(volume, range, {least, kMostEntries}) : kEntries16;
+    setColumns(table, axis, range, entries > 0 ? asked(entries) : automatic);
     const std::vector<double> positions = entryPositions(table, volume);
     for (std::size_t k = 0; k < positions.size(); ++k) {
         table.opacity[k] = layerOpacity(layer, curveOpacityAt(layer.transfer, positions[k]));
@@ -191,7 +195,7 @@ void fillPlane(TransferTable& table, const Layer& layer, const std::vector<doubl
     });
 }
 
-TransferTable bakePlane(const Layer& layer, const Volume& volume, const AxisRanges& ranges) {
+TransferTable bakePlane(const Layer& layer, const Volume& volume, const AxisRanges& ranges, int entries) {
     TransferTable table;
     NodePositions nodes = nodePositions(layer.transfer);
     const int columns = atLeastOne(nodes.first.size());
@@ -203,9 +207,10 @@ TransferTable bakePlane(const Layer& layer, const Volume& volume, const AxisRang
         std::swap(axisX, axisY);
     }
     const ValueRange range = axisRange(axisX, volume, ranges);
-    setColumns(table, axisX, range,
-               axisX == TransferAxis::value ? valueEntries(volume, range, {kLeastPlaneEntries, kMostPlaneEntries})
-                                            : kPlaneEntries);
+    const std::int64_t automatic = axisX == TransferAxis::value
+                                       ? valueEntries(volume, range, {kLeastPlaneEntries, kMostPlaneEntries})
+                                       : kPlaneEntries;
+    setColumns(table, axisX, range, entries > 0 ? std::min(asked(entries), automatic) : automatic);
     const std::vector<double> xs = entryPositions(table, volume);
     for (std::size_t k = 0; k < table.index.size(); ++k) {
         table.index[k] = static_cast<float>(gridIndexAt(nodes.first, xs[k], false));
@@ -233,12 +238,12 @@ TransferTable bakePlane(const Layer& layer, const Volume& volume, const AxisRang
 
 } // namespace
 
-TransferTable bakeTransfer(const Layer& layer, const Volume& volume, const AxisRanges& ranges) {
+TransferTable bakeTransfer(const Layer& layer, const Volume& volume, const AxisRanges& ranges, int entries) {
     if (secondAxis(layer.transfer)) {
-        return bakePlane(layer, volume, ranges);
+        return bakePlane(layer, volume, ranges, entries);
     }
     return firstAxis(layer.transfer) == TransferAxis::label ? bakeLabels(layer, volume)
-                                                            : bakeCurve(layer, volume, ranges);
+                                                            : bakeCurve(layer, volume, ranges, entries);
 }
 
 } // namespace limner

@@ -59,7 +59,11 @@ class March {
             if (more) {
                 const Mask edge =
                     hn::And(alive_, hn::Or(hn::Lt(k_, ray.first), hn::Gt(hn::Add(k_, splat(kBurst)), ray.end)));
-                burst(!hn::AllFalse(kF, edge));
+                if (scene_.preintegrated) {
+                    burstOfSlabs(!hn::AllFalse(kF, edge));
+                } else {
+                    burst(!hn::AllFalse(kF, edge));
+                }
                 more = !hn::AllFalse(kF, alive_);
             }
         }
@@ -94,10 +98,12 @@ class March {
         return {begin, hn::Sub(hn::Min(hn::Add(k_, splat(1)), ray_->end), begin)};
     }
 
-    /// Moves every lane on to the next sample in a block that can contribute. False: nothing is left.
+    /// Moves every lane on to the next sample in a block that can contribute. False: nothing is left. A slab is passed
+    /// over only where all of it lies in blocks that show nothing.
     HWY_INLINE bool skipEmpty() {
         constexpr int log2 = MinMaxGrid::kLog2BlockCells;
-        const Floats phase = splat(scene_.phase);
+        const Floats phase = splat(scene_.preintegrated ? 0 : scene_.phase); // of the place that is asked for
+        const Floats last = splat(scene_.preintegrated ? 1 : scene_.phase);  // of what must still be in the block
         for (;;) {
             const Segment part = segment();
             const Floats s = hn::MulAdd(part.length, phase, part.begin);
@@ -110,7 +116,7 @@ class March {
             // Lanes that are done may stand anywhere; they read block 0.
             const Ints safe = hn::IfThenElseZero(hn::RebindMask(kI, alive_), block);
             const Ints distance = hn::And(gatherAt(scene_.distance, safe), splatInt(255));
-            const Mask empty = hn::And(alive_, hn::RebindMask(kF, hn::Gt(distance, hn::Zero(kI))));
+            Mask empty = hn::And(alive_, hn::RebindMask(kF, hn::Gt(distance, hn::Zero(kI))));
             if (hn::AllFalse(kF, empty)) {
                 return true;
             }
@@ -123,8 +129,14 @@ class March {
             const Floats leave = hn::Min(
                 exit(ray_->step.x, ray_->inverse.x, bx, q.x),
                 hn::Min(exit(ray_->step.y, ray_->inverse.y, by, q.y), exit(ray_->step.z, ray_->inverse.z, bz, q.z)));
+            if (scene_.preintegrated) {
+                empty = hn::And(empty, hn::Ge(leave, part.length));
+                if (hn::AllFalse(kF, empty)) {
+                    return true;
+                }
+            }
             // The first lattice sample past the wall.
-            const Floats next = hn::Add(hn::Floor(hn::Sub(hn::Add(s, leave), phase)), splat(1));
+            const Floats next = hn::Add(hn::Floor(hn::Sub(hn::Add(s, leave), last)), splat(1));
             k_ = hn::IfThenElse(empty, hn::Max(next, hn::Add(k_, splat(1))), k_);
             alive_ = hn::And(alive_, hn::Lt(k_, end_));
             if (hn::AllFalse(kF, alive_)) {
@@ -166,6 +178,60 @@ class March {
         }
     }
 
+    /// The same with slabs: from each sample's front to its back.
+    HWY_INLINE void burstOfSlabs(bool edge) {
+        Floats front = entryAt(edge ? hn::Max(k_, ray_->first) : k_);
+        for (int i = 0; i < kBurst; ++i) {
+            Segment part = {k_, splat(1)};
+            Floats end = hn::Add(k_, splat(1));
+            if (edge) {
+                part = segment();
+                end = hn::Min(end, ray_->end);
+            }
+            const Floats back = entryAt(end);
+            samples_ = hn::Sub(samples_, hn::BitCast(kI, hn::VecFromMask(kF, alive_)));
+            k_ = hn::Add(k_, splat(1));
+            const Mask inRange = hn::And(hn::Gt(hn::Max(front, back), splat(scene_.visibleFrom)),
+                                         hn::Lt(hn::Min(front, back), splat(scene_.visibleTo)));
+            if (!hn::AllFalse(kF, hn::And(inRange, alive_))) {
+                lookAtSlab(part, {front, back});
+            }
+            front = back;
+            alive_ = hn::And(alive_, hn::Lt(k_, end_));
+            if (hn::AllFalse(kF, alive_)) {
+                return;
+            }
+        }
+    }
+
+    /// Of the scene's table, `s` steps along the rays; the first entry for lanes that are done.
+    HWY_INLINE Floats entryAt(Floats s) const {
+        const Vec3 found = position(s);
+        const Vec3 q = {hn::IfThenElseZero(alive_, found.x), hn::IfThenElseZero(alive_, found.y),
+                        hn::IfThenElseZero(alive_, found.z)};
+        const Floats value = field_.value(field_.locate(q, hn::FirstN(kF, hn::Lanes(kF))));
+        const Floats entry = hn::MulAdd(value, splat(scene_.tableScale), splat(scene_.tableBias));
+        return hn::IfThenElseZero(alive_, hn::Min(hn::Max(entry, splat(0)), splat(scene_.lastEntry)));
+    }
+
+    HWY_INLINE void lookAtSlab(const Segment& part, const SlabEnds& ends) {
+        const Floats all = opacityOfSlabs(scene_, ends, part.length, [](int, Floats, Floats) {});
+        const Floats opacity = hn::IfThenElseZero(alive_, all);
+        const Mask shows = hn::Gt(opacity, splat(0));
+        if (hn::AllFalse(kF, shows)) {
+            return;
+        }
+        counts_.shaded += hn::CountTrue(kF, shows);
+        const Floats weight = hn::NegMulAdd(opacity, alpha_, opacity);
+        alpha_ = hn::Add(alpha_, weight);
+        // Where the slab begins, on or off the outermost voxels: its place in the slab is counted from there.
+        const Vec3 front = {hn::MulAdd(ray_->step.x, part.begin, ray_->start.x),
+                            hn::MulAdd(ray_->step.y, part.begin, ray_->start.y),
+                            hn::MulAdd(ray_->step.z, part.begin, ray_->start.z)};
+        queue_.push({nullptr, front, ends.front, weight, part.length, pixel_, ray_->view, ends.back}, shows);
+        alive_ = hn::And(alive_, hn::Lt(alpha_, splat(scene_.opaque)));
+    }
+
     struct Sample {
         const Place& place;
         const Vec3& q;
@@ -195,9 +261,10 @@ class March {
             }
             const Floats weight = hn::NegMulAdd(opacity, alpha_, opacity);
             alpha_ = hn::Add(alpha_, weight);
-            queue_.push({sample.place, sample.q, entry, weight, sample.part, pixel_, ray_->view}, shows);
+            queue_.push({&sample.place, sample.q, entry, weight, sample.part, pixel_, ray_->view, entry}, shows);
             alive_ = hn::And(alive_, hn::Lt(alpha_, splat(scene_.opaque)));
-        } else if (queue_.push({sample.place, sample.q, entry, splat(0), sample.part, pixel_, ray_->view}, shows)) {
+        } else if (queue_.push({&sample.place, sample.q, entry, splat(0), sample.part, pixel_, ray_->view, entry},
+                               shows)) {
             endOpaque();
         }
     }

@@ -9,6 +9,7 @@
 #include "renderer/cpu/cues-inl.h"
 #include "renderer/cpu/importance-inl.h"
 #include "renderer/cpu/layer-inl.h"
+#include "renderer/cpu/slabs-inl.h"
 
 #include "renderer/plan/importance_bricks.h"
 
@@ -82,8 +83,9 @@ class ShadeQueue {
     /// `rgba`: the block's pixels.
     ShadeQueue(const KernelScene& scene, const KernelBlock& block, float* rgba)
         : scene_(scene), byImportance_(block.ahead != nullptr), ahead_(block.ahead),
-          earlyOpacity_(weighsAtOnce(scene, block)), readsPart_(!earlyOpacity_ || scene.layerCount > 1), field_{scene},
-          rgba_(rgba), composer_(scene, block, rgba) {
+          earlyOpacity_(weighsAtOnce(scene, block)),
+          readsPart_(!earlyOpacity_ || scene.layerCount > 1 || scene.preintegrated), field_{scene}, rgba_(rgba),
+          composer_(scene, block, rgba) {
         if (readsPart_) {
             layers_.resize(static_cast<std::size_t>(scene.layerCount));
         }
@@ -95,13 +97,14 @@ class ShadeQueue {
     }
 
     struct Entry {
-        const Place& place;
-        const Vec3& q;
+        const Place* place; ///< null: of a slab, whose place is found when it is shaded
+        const Vec3& q;      ///< of a slab's front, wherever that is
         Floats tableEntry;
         Floats weight; ///< with early opacity
         Floats part;   ///< of a step
         Ints pixel;
         const Vec3& view;
+        Floats back; ///< table entry at a slab's back; not read of a sample
     };
 
     /// Whether samples were composed on the way.
@@ -120,8 +123,13 @@ class ShadeQueue {
         }
         hn::StoreU(packer.pack(sample.pixel), kI, pixel_ + count_);
         if constexpr (kKeepsOffsets) {
-            const Ints offsets = hn::BitCast(kI, hn::Load(kU, sample.place.offsets.at));
-            hn::StoreU(packer.pack(offsets), kI, offset_ + count_);
+            if (sample.place != nullptr) {
+                const Ints offsets = hn::BitCast(kI, hn::Load(kU, sample.place->offsets.at));
+                hn::StoreU(packer.pack(offsets), kI, offset_ + count_);
+            }
+        }
+        if (scene_.preintegrated) {
+            keep(sample.back, back_);
         }
         if (scene_.perspective) {
             keep(sample.view.x, viewX_);
@@ -161,6 +169,10 @@ class ShadeQueue {
         const Mask filled = hn::FirstN(kF, static_cast<std::size_t>(count));
         const auto load = [&](const float* row) HWY_ATTR { return hn::IfThenElseZero(filled, hn::Load(kF, row)); };
         const Vec3 q = {load(x_), load(y_), load(z_)};
+        if (scene_.preintegrated) {
+            addSlabs(q, {load(tableEntry_), load(back_)}, load(part_), count);
+            return;
+        }
         Place place;
         if constexpr (kKeepsOffsets) {
             const Ints offsets =
@@ -169,10 +181,7 @@ class ShadeQueue {
         } else {
             place = field_.locate(q, filled);
         }
-        Vec3 view = {splat(0), splat(0), splat(1)};
-        if (scene_.perspective) {
-            view = {hn::Load(kF, viewX_), hn::Load(kF, viewY_), hn::Load(kF, viewZ_)};
-        }
+        const Vec3 view = viewOfLanes();
         Facts<VoxelField> facts(field_, place, members_, q, view, load(tableEntry_), load(part_));
         facts.measure();
         if (scene_.cues.any) {
@@ -217,7 +226,49 @@ class ShadeQueue {
                 lightByCues(layers_[i].colours);
             }
         }
-        // Sample by sample: a pixel's sum must not depend on who else is in the vector.
+        addShares(count);
+    }
+
+    /// Slabs, each layer's at the place where its matter is seen. `ends`: of the scene's table.
+    HWY_NOINLINE void addSlabs(const Vec3& front, const SlabEnds& ends, Floats part, int count) {
+        const Floats total = opacityOfSlabs(scene_, ends, part, [&](int i, Floats depth, Floats opacity) HWY_ATTR {
+            layers_[static_cast<std::size_t>(i)].opacity = opacity;
+            layers_[static_cast<std::size_t>(i)].depth = depth;
+        });
+        const Floats scale = hn::Div(hn::Load(kF, weight_), hn::Max(total, splat(1e-30F)));
+        const Vec3 view = viewOfLanes();
+        const Vec3 perMm = turned(scene_.cellFromEye, view);
+        const Floats lengthMm = hn::Mul(part, splat(static_cast<float>(scene_.stepMm)));
+        for (std::size_t i = 0; i < layers_.size(); ++i) {
+            const Floats share = hn::Mul(hn::Load(kF, layers_[i].opacity.at), scale);
+            layers_[i].opacity = share;
+            layers_[i].shows = !hn::AllFalse(kF, hn::Gt(share, splat(0)));
+            if (!layers_[i].shows) {
+                continue;
+            }
+            const KernelLayer& layer = scene_.layers[i];
+            const Floats seen = seenPlaces(layer, endsIn(layer, ends), hn::Load(kF, layers_[i].depth.at));
+            const Floats back = hn::Neg(hn::Mul(seen, lengthMm)); // the view looks towards the viewer
+            const auto moved = [&](Floats from, Floats along, int axis) HWY_ATTR {
+                const Floats to = hn::MulAdd(back, along, from);
+                return hn::Min(hn::Max(to, splat(0)), splat(scene_.lastCell[axis]));
+            };
+            const Vec3 q = {moved(front.x, perMm.x, 0), moved(front.y, perMm.y, 1), moved(front.z, perMm.z, 2)};
+            const Place place = field_.locate(q, hn::FirstN(kF, hn::Lanes(kF)));
+            Facts<VoxelField> facts(field_, place, members_, q, view, lerp(ends.front, ends.back, seen), part);
+            facts.measure();
+            if (scene_.cues.any) {
+                cues_.measure(facts);
+            }
+            LayerEvaluation<VoxelField>(scene_, layer).colourByValue(facts, layers_[i].colours);
+            lightByCues(layers_[i].colours);
+        }
+        addShares(count);
+    }
+
+    /// The layers' colours by their shares of the samples' weight. Sample by sample: a pixel's sum must not depend on
+    /// who else is in the vector.
+    HWY_INLINE void addShares(int count) {
         for (int lane = 0; lane < count; ++lane) {
             float* pixel = rgba_ + 4 * pixel_[lane];
             Quad sum = hn::Load(kQuad, pixel);
@@ -235,6 +286,7 @@ class ShadeQueue {
     struct Evaluated {
         LaneColours colours;
         LaneFloats opacity;
+        LaneFloats depth;     ///< optical; of slabs only
         bool shows = false;   ///< early opacity only: in any lane
         WeighedLanes weighed; ///< by importance only
     };
@@ -331,6 +383,12 @@ class ShadeQueue {
         return opacity;
     }
 
+    /// Directions to the viewer of the samples that wait.
+    HWY_INLINE Vec3 viewOfLanes() const {
+        return scene_.perspective ? Vec3{hn::Load(kF, viewX_), hn::Load(kF, viewY_), hn::Load(kF, viewZ_)}
+                                  : Vec3{splat(0), splat(0), splat(1)};
+    }
+
     HWY_INLINE void lightByCues(LaneColours& colours) const {
         if (scene_.cues.any) {
             cues_.apply(colours);
@@ -349,6 +407,9 @@ class ShadeQueue {
         }
         if (readsPart_) {
             hn::Store(hn::LoadU(kF, part_ + lanes), kF, part_);
+        }
+        if (scene_.preintegrated) {
+            hn::Store(hn::LoadU(kF, back_ + lanes), kF, back_);
         }
         if (scene_.perspective) {
             for (float* row : {viewX_, viewY_, viewZ_}) {
@@ -380,6 +441,7 @@ class ShadeQueue {
     alignas(64) float tableEntry_[kRoom] = {};
     alignas(64) float weight_[kRoom] = {};
     alignas(64) float part_[kRoom] = {};
+    alignas(64) float back_[kRoom] = {};
     alignas(64) float viewX_[kRoom] = {};
     alignas(64) float viewY_[kRoom] = {};
     alignas(64) float viewZ_[kRoom] = {};

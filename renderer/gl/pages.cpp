@@ -38,7 +38,8 @@ int reachOf(const RenderPlan& plan) {
             probe = std::max(probe, layer.contours->probeMm);
         }
     }
-    return kReach + static_cast<int>(std::ceil(probe / plan.volume->grid().smallestSpacingMm()));
+    const double slab = plan.preintegrated ? plan.lattice.stepMm : 0; // a page has the slabs whose middles it has
+    return kReach + static_cast<int>(std::ceil((probe + slab) / plan.volume->grid().smallestSpacingMm()));
 }
 
 /// What all pages read.

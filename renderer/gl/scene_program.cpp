@@ -84,6 +84,7 @@ void defineLayer(ProgramSource& source, const KernelLayer& layer, const std::str
 void defineFigure(ProgramSource& source, const RenderPlan& plan, const KernelScene& scene) {
     flag(source, "PERSPECTIVE", scene.perspective);
     flag(source, "SPLINE", scene.spline);
+    flag(source, "SLABS", scene.preintegrated);
     flag(source, "READS_NORMAL", scene.readsNormal);
     flag(source, "READS_SCALE", scene.readsGradientScale);
     flag(source, "BEND", scene.readsBend);
@@ -120,6 +121,9 @@ bool anyLayer(const KernelScene& scene, bool (*holds)(const KernelLayer&)) {
 void addFigure(ProgramSource& source, const RenderPlan& plan, const KernelScene& scene, bool byImportance) {
     for (const char* name : {"math.glsl", "formulas.glsl", "tables.glsl", "rays.glsl", "field.glsl", "facts.glsl"}) {
         source.add(name);
+    }
+    if (scene.preintegrated) {
+        source.add("slabs.glsl");
     }
     if (plan.atlas) {
         source.add("style.glsl");

@@ -1,6 +1,7 @@
 #include "renderer/gl/scene_tables.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace limner::gl {
 
@@ -82,6 +83,7 @@ void addLayer(Tables& tables, const PlanLayer& plan, const KernelLayer& layer, c
     const auto rows = static_cast<std::size_t>(layer.rows);
     const std::size_t nodes = plan.styles.nodeToStyle.size();
     tables.addNumbers("stepOpacity" + number, layer.stepOpacity, entries);
+    tables.addNumbers("slabTable" + number, layer.slabs, plan.slabs.size());
     if (rows > 0) {
         tables.addNumbers("opacity" + number, layer.opacity2d, rows * static_cast<std::size_t>(layer.rowStride) + 1);
         tables.addNumbers("rowIndex" + number, layer.rowIndex, rows + 1);
@@ -116,6 +118,12 @@ SceneTables sceneTables(const RenderPlan& plan, const KernelScene& scene) {
     std::vector<float> visibility(scene.visibility, scene.visibility + static_cast<std::size_t>(scene.lastEntry) + 2);
     for (std::size_t i = 0; i + 1 < visibility.size(); ++i) {
         visibility[i] = std::max(visibility[i], visibility[i + 1]); // of the interval behind the entry: one read tells
+    }
+    if (scene.preintegrated) { // slabs ask whether anything shows between two entries
+        float before = 0;
+        for (float& interval : visibility) {
+            before += std::exchange(interval, before) > 0 ? 1.0F : 0.0F;
+        }
     }
     tables.addNumbers("visibility", visibility.data(), visibility.size());
     for (std::size_t i = 0; i < plan.layers.size(); ++i) {

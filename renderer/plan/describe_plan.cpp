@@ -6,6 +6,7 @@
 #include "renderer/plan/eight_bits.h"
 #include "renderer/plan/mip_levels.h"
 #include "renderer/plan/plan_parts.h"
+#include "renderer/plan/slab_table.h"
 
 #include <algorithm>
 #include <functional>
@@ -17,7 +18,7 @@ namespace {
 std::size_t tableBytes(const PlanLayer& layer) {
     const TransferTable& table = layer.table;
     return (table.opacity.size() + table.index.size() + table.rowIndex.size() + table.opacity2d.size() +
-            layer.stepOpacity.size()) *
+            layer.stepOpacity.size() + layer.slabs.size()) *
            sizeof(float);
 }
 
@@ -82,6 +83,11 @@ void describeTransfers(const RenderPlan& plan, const AddFeature& feature) {
             "voxels are joined otherwise");
     feature(plan.interpolation == Interpolation::smooth, "smooth interpolation",
             "the quality asks for it, or the slices are thick", "voxels are joined otherwise");
+    const int entries = plan.figure->quality.tableEntries;
+    const std::string asked = "the quality asks for " + std::to_string(entries) + " entries";
+    feature(entries > 0, "tables of a chosen size", asked.c_str(), "tables are as fine as the data need");
+    const std::string whyNot = whyNoSlabs(plan);
+    feature(plan.preintegrated, "pre-integration", "the quality asks for it", whyNot.c_str());
 }
 
 /// What the layers' parts and depth cues ask for.

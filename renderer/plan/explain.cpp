@@ -72,7 +72,7 @@ struct Costs {
         cost.estimatedMs = static_cast<double>(cost.bytes) / (2 * sizeof(float)) * kTableNsPerEntry * 1e-6;
         cost.measuredMs = millisecondsOf([&] {
             for (const PlanLayer& layer : plan.layers) {
-                bakeTransfer(*layer.source, *plan.volume);
+                bakeTransfer(*layer.source, *plan.volume, {}, figure.quality.tableEntries);
             }
         });
         return cost;

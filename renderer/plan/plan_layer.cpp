@@ -126,7 +126,7 @@ PlanLayer planLayer(const Layer& source, const LayerSurroundings& around) {
     if (source.contours) {
         layer.contours = planContours(*source.contours, around);
     }
-    layer.table = bakeTransfer(source, around.volume, around.ranges);
+    layer.table = bakeTransfer(source, around.volume, around.ranges, around.figure.quality.tableEntries);
     layer.styles = indexStyles(around.figure, source.transfer);
     if (layer.shading == Shading::style && !drawsSpheres(layer)) {
         layer.shading = Shading::flat; // only plain colours: constant spheres are unshaded colour

@@ -85,6 +85,7 @@ struct PlanLayer {
     std::optional<PlanContours> contours;
     TransferTable table;
     std::vector<float> stepOpacity; ///< of one whole step of the plan's lattice, entries as the table's
+    std::vector<float> slabs;       ///< pre-integration alone: slab_table.h, over the table's entries
     StyleIndex styles;
     /// Parallel to `styles.styles`, at the plan's resolution; empty where none of them has one.
     std::vector<PlanTexture> textures;

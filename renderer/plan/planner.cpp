@@ -15,6 +15,7 @@
 #include "renderer/plan/plan_marks.h"
 #include "renderer/plan/plan_parts.h"
 #include "renderer/plan/ray_frame.h"
+#include "renderer/plan/slab_table.h"
 
 #include <glm/geometric.hpp>
 
@@ -253,6 +254,7 @@ std::shared_ptr<const RenderPlan> Planner::plan(const Figure& figure, const Plan
     plan->axisMeasures = planAxisMeasures(*plan);
     task.throwIfCancelled();
     cache_->fields.addFields(*plan, task);
+    planSlabs(*plan);
     cache_->addSkipGrid(*plan);
     cache_->packAtlas(*plan);
     cache_->measureGradients(*plan);

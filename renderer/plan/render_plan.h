@@ -136,6 +136,9 @@ struct RenderPlan {
     std::shared_ptr<const Volume> secondVolume; ///< on the volume's grid; null where no layer reads it
     Clip clip;
     std::vector<PlanLayer> layers; ///< visible ones with any opacity, in drawing order
+    /// A sample stands for the slab of its stretch, by integrals over the values between its ends
+    /// (core/optics/preintegration.h); the lattice's phase is not asked.
+    bool preintegrated = false;
     std::shared_ptr<const SkipGrid> skip;
     std::shared_ptr<const StyleAtlas> atlas;  ///< null where no layer draws a lit sphere
     std::optional<PlanImportance> importance; ///< absent: ordinary composition

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/optics/opacity.h"
 #include "renderer/reference/field.h"
+#include "renderer/reference/gauss.h"
 #include "renderer/reference/layer_optics.h"
 #include "renderer/reference/ray.h"
 
@@ -21,43 +22,6 @@ namespace {
 constexpr double kTolerance = 1e-12;
 constexpr int kMostParts = 4096; ///< where doubling stops; only a logarithmic pole (opacity -> 1) gets that far
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// Eight-point Gauss-Legendre rule on [0, 1]; points and weights from the roots of P_8, by symmetry about 1/2.
-struct GaussRule {
-    std::array<double, 8> point;
-    std::array<double, 8> weight;
-};
-
-/// P_n and its derivative by the three-term recurrence.
-std::pair<double, double> legendre(int n, double x) {
-    double previous = 1;
-    double current = x;
-    for (int k = 2; k <= n; ++k) {
-        previous = std::exchange(current, ((2 * k - 1) * x * current - (k - 1) * previous) / k);
-    }
-    return {current, n * (x * current - previous) / (x * x - 1)};
-}
-
-GaussRule makeGaussRule() {
-    GaussRule rule;
-    constexpr int n = 8;
-    for (int i = 0; i < n; ++i) {
-        double x = std::cos(3.14159265358979323846 * (i + 0.75) / (n + 0.5)); // start near the root
-        for (int newton = 0; newton < 20; ++newton) {                         // 5 reach double precision
-            const auto [p, dp] = legendre(n, x);
-            x -= p / dp;
-        }
-        const double dp = legendre(n, x).second;
-        rule.point[static_cast<std::size_t>(i)] = (1 - x) / 2;
-        rule.weight[static_cast<std::size_t>(i)] = 1 / ((1 - x * x) * dp * dp);
-    }
-    return rule;
-}
-
-const GaussRule& gauss() {
-    static const GaussRule rule = makeGaussRule();
-    return rule;
-}
 
 /// The cubic of the field over one cell's stretch of the ray, in u = 0..1 along it.
 class CellCubic {
@@ -238,7 +202,7 @@ glm::dvec3 Integrator::surfaceColour(double value) const {
 Integrator::PieceSum Integrator::integrate(const CellCubic& field, double u0, double u1, double cellMm,
                                            int parts) const {
     PieceSum sum;
-    const GaussRule& rule = gauss();
+    const GaussRule& rule = gaussRule();
     const double width = (u1 - u0) / parts;
     for (int part = 0; part < parts; ++part) {
         const double start = u0 + width * part;

@@ -4,6 +4,7 @@
 #include "renderer/plan/plan_importance.h"
 #include "renderer/reference/field.h"
 #include "renderer/reference/importance.h"
+#include "renderer/reference/slab.h"
 
 #include <optional>
 
@@ -27,7 +28,9 @@ class RayWalk {
                 break;
             }
             const Segment segment = segmentOf(ray_, plan_.lattice, k);
-            if (segment.lengthMm > 0) {
+            if (segment.lengthMm > 0 && plan_.preintegrated) {
+                addSlab(k);
+            } else if (segment.lengthMm > 0) {
                 addSample(segment, k);
             }
         }
@@ -41,6 +44,15 @@ class RayWalk {
     }
 
   private:
+    void addSlab(long k) {
+        for (const SlabPart& part : slabAt(plan_, ray_, k)) {
+            const double weight = (1 - opacity_) * part.opacity;
+            opacity_ += weight;
+            const auto layer = static_cast<std::size_t>(part.layer - plan_.layers.data());
+            parts_.push_back({layer, k, part.positionVoxel, part.value, weight});
+        }
+    }
+
     void addSample(const Segment& segment, long k) {
         const glm::dvec3 position = ray_.positionVoxel(segment.positionMm);
         const double value = valueAt(plan_, position);

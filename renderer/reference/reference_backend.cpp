@@ -5,6 +5,7 @@
 #include "renderer/reference/importance.h"
 #include "renderer/reference/layer_optics.h"
 #include "renderer/reference/ray.h"
+#include "renderer/reference/slab.h"
 
 #include <tbb/parallel_for.h>
 
@@ -54,8 +55,17 @@ class Marcher {
             const reference::Segment segment = reference::segmentOf(ray, plan_.lattice, k);
             if (segment.lengthMm > 0) {
                 ++counts.samples;
-                gathered = behind(gathered, ray, segment, counts);
+                gathered = plan_.preintegrated ? behindSlab(gathered, reference::slabAt(plan_, ray, k), counts)
+                                               : behind(gathered, ray, segment, counts);
             }
+        }
+        return gathered;
+    }
+
+    static Gathered behindSlab(Gathered gathered, const std::vector<reference::SlabPart>& slab, Counts& counts) {
+        counts.shaded += slab.empty() ? 0 : 1;
+        for (const reference::SlabPart& part : slab) {
+            gathered = optics::compositeBehind(gathered, part.colour, part.opacity);
         }
         return gathered;
     }

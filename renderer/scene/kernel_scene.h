@@ -117,6 +117,7 @@ struct KernelLayer {
     int rows = 0;                             ///< of `opacity2d`; 0: one dimension
     std::int32_t rowStride = 0;               ///< floats
     const float* stepOpacity = nullptr;       ///< 1D: of one step; entries + 1, read by linear interpolation
+    const float* slabs = nullptr;             ///< pre-integration: PlanLayer::slabs
     const float* opacity = nullptr;           ///< 1D: of the reference length
     const float* opacity2d = nullptr;         ///< 2D: of the reference length
     const float* colours = nullptr;           ///< 1D Phong and flat: RGBA of every entry and one more, 16-byte aligned
@@ -221,6 +222,7 @@ struct KernelScene {
     float visibleFrom = 0;             ///< entries up to here and from `visibleTo` on show nothing
     float visibleTo = 0;
     bool earlyOpacity = true; ///< a sample's opacity is known before its colour: every layer's is by value alone
+    bool preintegrated = false; ///< samples are slabs, opacity is early
     const KernelLayer* layers = nullptr;
     int layerCount = 0;
     KernelAtlas atlas;

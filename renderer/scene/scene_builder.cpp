@@ -323,6 +323,7 @@ void BuiltScene::addTransfer(const RenderPlan& plan, const PlanLayer& layer, Ker
     out.index = keep(table.index);
     if (table.rows == 0) {
         out.stepOpacity = keep(layer.stepOpacity);
+        out.slabs = plan.preintegrated ? layer.slabs.data() : nullptr;
         out.opacity = out.opacityByValue ? nullptr : keep(table.opacity);
     } else {
         out.y = axis(plan, layer, table.axisY, {table.lowY, table.highY, table.rows});
@@ -402,6 +403,7 @@ void BuiltScene::setTables(const RenderPlan& plan) {
             scene_.atlas.voxelMm = static_cast<float>(plan.mipLevels->voxelMm);
         }
     }
+    scene_.preintegrated = plan.preintegrated;
     scene_.earlyOpacity = std::all_of(plan.layers.begin(), plan.layers.end(), opacityByValue);
     const VisibleRange range = visibleRange(plan.layers, *plan.volume);
     std::vector<float> visibility(range.visible.begin(), range.visible.end());

@@ -1,6 +1,7 @@
 // What layer @ makes of a sample: its transfer function, contours, transparency and colour.
 uniform vec2 valueOfEntry@; // entry of the layer's table = the scene's * x + y
 uniform int stepOpacity@;   // table: opacity of one step by value
+uniform int slabTable@;     // pre-integration: slabs.glsl
 uniform int opacity@;       // of the reference length; in two dimensions its rows one after the other
 uniform int indexTable@;    // fractional node column of an entry
 uniform int rowIndex@;      // fractional node row of a row
@@ -293,27 +294,36 @@ Facts moved@(Facts facts) {
     return facts;
 }
 
+#if BY_VALUE_@
+/// Colour at an entry of the layer's table over the value.
+vec4 colourByValue@(Facts facts, float entry) {
+    float width = contourWidth@(facts);
+#if STYLE_@
+#if SINGLE_@ && !TEXTURES_@
+    vec4 colour = colourOf@(facts, width, vec2(0.0));
+#else
+    vec4 colour = colourOf@(facts, width, vec2(readTable(indexTable@, entry), 0.0));
+#endif
+#else
+    vec4 colour = vec4(shadePlain@(facts, width, readColours(entryColours@, entry).rgb), 1.0);
+#endif
+    applyParts@(facts, 1.0, colour);
+    return colour;
+}
+#endif
+
 /// What the sample covers of what is behind; `colour` is of no use where that is nothing.
 float evaluate@(Facts shared_, out vec4 colour) {
     Facts facts = moved@(shared_);
-    float width = contourWidth@(facts);
     colour = vec4(0.0);
 #if BY_VALUE_@
     float entry = facts.entry * valueOfEntry@.x + valueOfEntry@.y;
     float opacity = opacityOfPart(readTable(stepOpacity@, entry), facts.part);
     if (opacity > 0.0) {
-#if STYLE_@
-#if SINGLE_@ && !TEXTURES_@
-        colour = colourOf@(facts, width, vec2(0.0));
-#else
-        colour = colourOf@(facts, width, vec2(readTable(indexTable@, entry), 0.0));
-#endif
-#else
-        colour = vec4(shadePlain@(facts, width, readColours(entryColours@, entry).rgb), 1.0);
-#endif
-        applyParts@(facts, 1.0, colour);
+        colour = colourByValue@(facts, entry);
     }
 #else
+    float width = contourWidth@(facts);
 #if LABEL_AXIS_@
     float opacity = byLabels@(facts, width, colour);
 #else

@@ -3,7 +3,7 @@ uniform usampler3D distances; // blocks to the nearest one that can contribute
 uniform vec2 entryOfTexel;    // the same from what the field's texture holds
 uniform vec2 entryOfStored;   // entry of the value's table = stored * x + y
 uniform vec2 visibleEntries;  // up to the first and from the second on nothing shows
-uniform int visibility;       // table: > 0 where anything shows between an entry and the next
+uniform int visibility;       // table: > 0 where anything shows between an entry and the next; SLABS: how often before
 uniform ivec3 pageLow;  // cells whose samples are this pass's
 uniform ivec3 pageHigh;
 
@@ -26,17 +26,27 @@ vec2 segmentAt(Ray ray, float k) {
     return vec2(begin, min(k + 1.0, ray.end) - begin);
 }
 
-/// The next sample past the empty space around sample k; k itself where its block can contribute.
+/// The next sample past the empty space around sample k; k itself where its block can contribute. A slab is passed over
+/// only where all of it lies in blocks that show nothing.
 float pastEmpty(Ray ray, float k) {
     vec2 part = segmentAt(ray, k);
+#if SLABS
+    float s = part.x;
+    const float last = 1.0; // of a sample, what must still be in the block
+    float within = part.y;
+#else
     float s = part.x + part.y * phase;
+    float last = phase;
+    const float within = -kFar;
+#endif
     vec3 q = positionAt(ray, s);
     vec3 block = floor(q / kBlockCells);
     float away = float(texelFetch(distances, ivec3(block), 0).r);
     vec3 wall = mix(block - away + 1.0, block + away, greaterThan(ray.step, vec3(0.0)));
     vec3 leave = (wall * kBlockCells - q) * ray.inverse;
-    float next = floor(s + min(leave.x, min(leave.y, leave.z)) - phase) + 1.0;
-    return away > 0.0 ? max(next, k + 1.0) : k;
+    float wayOut = min(leave.x, min(leave.y, leave.z));
+    float next = floor(s + wayOut - last) + 1.0;
+    return away > 0.0 && wayOut >= within ? max(next, k + 1.0) : k;
 }
 
 /// The ray in the field's texture.
@@ -53,6 +63,32 @@ bool isOwn(Ray ray, float s) {
 #endif
 }
 
+#if SLABS
+float entryAt(Ray ray, Line line, float s) {
+#if SPLINE
+    float entry = fieldAt(positionAt(ray, s)) * entryOfStored.x + entryOfStored.y;
+#else
+    float entry = textureLod(field, line.start + line.step * s, 0.0).r * entryOfTexel.x + entryOfTexel.y;
+#endif
+    return clamp(entry, 0.0, lastEntry);
+}
+
+vec2 passedEnd; // of the slab before: where on the ray, and the entry there
+
+/// Looks up the slab of sample k; whether it can be seen.
+bool look(Ray ray, Line line, float k, out Sample found) {
+    float end = min(k + 1.0, ray.end);
+    found.s = max(k, ray.first);
+    found.part = end - found.s;
+    found.entry = passedEnd.x == found.s ? passedEnd.y : entryAt(ray, line, found.s);
+    found.back = entryAt(ray, line, end);
+    passedEnd = vec2(end, found.back);
+    float low = min(found.entry, found.back);
+    float high = max(found.entry, found.back);
+    bool inRange = high > visibleEntries.x && low < visibleEntries.y && isOwn(ray, 0.5 * (found.s + end));
+    return inRange && numberAt(visibility + int(high) + 1) > numberAt(visibility + int(low));
+}
+#else
 /// Looks up sample k; whether it can be seen.
 bool look(Ray ray, Line line, float k, out Sample found) {
     vec2 part = segmentAt(ray, k);
@@ -67,6 +103,7 @@ bool look(Ray ray, Line line, float k, out Sample found) {
     found.entry = max(found.entry, 0.0);
     return inRange && numberAt(visibility + int(found.entry)) > 0.0;
 }
+#endif
 
 #if PAGED
 /// Cuts a ray to the samples that can lie in the page, one more at both ends: each is asked whether it does.
@@ -87,6 +124,9 @@ void main() {
     Line line = Line(texturePlace(ray.start), ray.step * placeScale);
     Pixel pixel = beginPixel();
     vec2 counts = vec2(0.0);
+#if SLABS
+    passedEnd = vec2(-1.0, 0.0);
+#endif
     float k = floor(ray.first);
     float end = ceil(ray.end);
 #if PAGED

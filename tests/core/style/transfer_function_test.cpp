@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace limner {
@@ -121,6 +122,48 @@ TEST(BakeTransfer, SizesFollowTheData) {
     const auto floats =
         makeVolume<float>(gridOf({5, 1, 1}), VoxelType::float32, [](glm::ivec3 v) { return v.x * 0.25; });
     EXPECT_GE(bakeTransfer(layer, *floats).opacity.size(), 4096U);
+}
+
+TEST(BakeTransfer, TakesAsManyEntriesAsAreAskedFor) {
+    Layer layer;
+    layer.transfer.opacity = {{0, 0}, {1, 1}};
+    const auto volume = rampOf16Bit(0, 5000);
+    for (const int entries : {2, 256, 1024, 20000}) {
+        const TransferTable table = bakeTransfer(layer, *volume, {}, entries);
+        EXPECT_EQ(table.opacity.size(), static_cast<std::size_t>(entries));
+        EXPECT_EQ(table.index.size(), static_cast<std::size_t>(entries));
+        EXPECT_EQ(table.high, 5000);
+    }
+    EXPECT_EQ(bakeTransfer(layer, *volume, {}, 1).opacity.size(), 2U); // a line has two ends
+    EXPECT_EQ(bakeTransfer(layer, *volume, {}, 0).opacity.size(), bakeTransfer(layer, *volume).opacity.size());
+    layer.transfer.kind = TransferKind::twoDimensional;
+    layer.transfer.axes = {"value", "gradient"};
+    EXPECT_EQ(bakeTransfer(layer, *volume, {}, 100).opacity.size(), 100U);
+    EXPECT_EQ(bakeTransfer(layer, *volume, {}, 1 << 20).opacity.size(), 2048U); // a plane has no more
+}
+
+TEST(BakeTransfer, ErrorFallsWithTheNumberOfEntries) {
+    Layer layer;
+    layer.transfer.curve = OpacityCurve::smooth;
+    layer.transfer.opacity = {{310, 0}, {1700, 0.8}, {2600, 0.2}, {4400, 0.9}};
+    layer.transfer.nodes = nodesAt({0, 5000});
+    const auto volume = rampOf16Bit(0, 5000);
+    const auto error = [&](int entries) {
+        const TransferTable table = bakeTransfer(layer, *volume, {}, entries);
+        double most = 0;
+        for (double s = 0; s <= 5000; s += 3.7) {
+            most = std::max(most, std::abs(read(table, table.opacity, s) - curveOpacityAt(layer.transfer, s)));
+        }
+        return most;
+    };
+    double before = error(32);
+    for (const int entries : {128, 512, 2048}) { // linear between entries: a sixteenth for four times as many
+        const double now = error(entries);
+        EXPECT_LT(now, before / 8) << entries;
+        before = now;
+    }
+    EXPECT_GT(error(32), 1e-3); // it can be seen
+    EXPECT_LT(before, 1e-6);
 }
 
 TEST(BakeTransfer, StepAtEveryStoredNumberOfScaledDataFallsOnItsEntry) {
