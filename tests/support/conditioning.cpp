@@ -1,0 +1,120 @@
+#include "support/conditioning.h"
+
+#include "support/extreme_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace limner::testing {
+
+namespace {
+
+/// Places along a ray of a box's length, in single precision: some ulp of the extent.
+constexpr double kUlps = 1e-6;
+
+/// Opacities as single precision has them: some ulp of themselves and, near 1, of 1.
+void roundOpacity(double& opacity, double sign) {
+    if (opacity > 0 && opacity < 1) {
+        opacity = std::clamp(opacity + sign * opacity * (1e-5 * (1 - opacity) + 1.2e-7), 0.0, 1.0);
+    }
+}
+
+void roundOpacities(Layer& layer, double sign) {
+    for (glm::dvec2& point : layer.transfer.opacity) {
+        roundOpacity(point.y, sign);
+    }
+    for (OpacityShape& shape : layer.transfer.opacity2d) {
+        roundOpacity(shape.opacity, sign);
+    }
+    roundOpacity(layer.opacity, sign);
+}
+
+double extentVoxels(const RenderPlan& plan) {
+    const glm::ivec3 dims = plan.volume->grid().dims;
+    return std::max({dims.x, dims.y, dims.z});
+}
+
+} // namespace
+
+Conditioning::Conditioning(const ExtremeFigure& made, const RenderPlan& plan)
+    : plan_(plan), exact_(makeReferenceBackend()) {
+    addTransfers(made);
+    addRays();
+}
+
+void Conditioning::addTransfers(const ExtremeFigure& made) {
+    Planner planner;
+    Task task;
+    const auto add = [&](const std::string& name, const Figure& figure) {
+        neighbours_.push_back({name, planner.plan(figure, made.request, task)});
+    };
+    for (const double sign : {-1.0, 1.0}) {
+        Figure rounded = made.figure;
+        for (Layer& layer : rounded.layers) {
+            roundOpacities(layer, sign);
+        }
+        add("opacities", rounded);
+        for (const bool across : {false, true}) {
+            Figure moved = made.figure;
+            bool any = false;
+            for (const PlanLayer& layer : plan_.layers) {
+                const TransferTable& table = layer.table;
+                Transfer& transfer =
+                    moved.layers[static_cast<std::size_t>(layer.source - plan_.figure->layers.data())].transfer;
+                const bool plane = transfer.kind == TransferKind::twoDimensional;
+                if (across && (!plane || !table.labels.empty() || table.rows < 2)) {
+                    continue;
+                }
+                const double entry = across ? (table.highY - table.lowY) / (table.rows - 1)
+                                            : (table.high - table.low) / static_cast<double>(table.opacity.size() - 1);
+                const TransferAxis axis = across ? table.axisY : table.axisX;
+                const std::string name = !plane                                   ? transfer.axis
+                                         : transferAxis(transfer.axes[0]) == axis ? transfer.axes[0]
+                                                                                  : transfer.axes[1];
+                shiftAlong(transfer, name, sign * entry);
+                any = true;
+            }
+            if (any) {
+                add(across ? "an entry across" : "an entry along", moved);
+            }
+        }
+    }
+}
+
+void Conditioning::addRays() {
+    const double voxels = kUlps * extentVoxels(plan_);
+    const auto add = [&](const std::string& name, const auto& change) {
+        for (const double sign : {-1.0, 1.0}) {
+            auto plan = std::make_shared<RenderPlan>(plan_);
+            change(*plan, sign);
+            neighbours_.push_back({name, plan});
+        }
+    };
+    for (int axis = 0; axis < 3; ++axis) {
+        add("rays along axis " + std::to_string(axis),
+            [&](RenderPlan& plan, double sign) { plan.rays.originVoxel[axis] += sign * voxels; });
+    }
+    const double steps = std::min(0.1, voxels * plan_.volume->grid().smallestSpacingMm() / plan_.lattice.stepMm);
+    add("samples", [&](RenderPlan& plan, double sign) { plan.lattice.phase += sign * steps; });
+    add("ends of rays", [](RenderPlan& plan, double sign) { plan.earlyTermination *= 1 + 1e-4 * sign; });
+}
+
+Conditioning::Spread Conditioning::at(glm::ivec2 pixel) const {
+    Task task;
+    const Tile one{pixel, {1, 1}};
+    const Picture exact = exact_->render(plan_, one, task).picture;
+    Spread spread;
+    for (const Neighbour& neighbour : neighbours_) {
+        const Picture moved = exact_->render(*neighbour.plan, one, task).picture;
+        for (std::size_t c = 0; c < 4; ++c) {
+            const double difference = std::abs(static_cast<double>(moved.rgba()[c]) - exact.rgba()[c]);
+            if (difference > spread.most) {
+                spread = {difference, neighbour.name};
+            }
+        }
+    }
+    return spread;
+}
+
+} // namespace limner::testing
