@@ -298,7 +298,7 @@ void SelfTest::interpolation() {
         grid.originMm.z = -3.5 * grid.spacingMm.z;
         constexpr double depth = 0.0371; // between slices
         const auto field = [&](const glm::dvec3& mm) { return signal.value(mm); };
-        return errorOf(probe(sampleField(grid, field), depth, 1.2, 48), depth, field);
+        return errorOf(probe(sampleField(grid, field), depth, 1.3, 48), depth, field);
     };
     add("A6", "order of trilinear values, 81 to 161 voxels", 2, orderOf(linearError(81), linearError(161)),
         {0.2, "trilinear: accuracy 1.6"});
@@ -313,10 +313,10 @@ void SelfTest::interpolation() {
 }
 
 void SelfTest::splineGradient() {
-    // The colour is the gradient's magnitude at voxels, one pixel a voxel.
+    // The colour is the gradient's magnitude at the coarser grid's voxels, one pixel each.
     const auto errorOf = [&](int voxels) {
         const double spacing = 12.0 / (voxels - 1);
-        AnalyticScene scene = probe(sampleField(centredGrid(voxels, spacing), waveAt), 0, 9 * spacing, 9);
+        AnalyticScene scene = probe(sampleField(centredGrid(voxels, spacing), waveAt), 0, 9 * 0.4, 9);
         scene.figure.quality.gradient = GradientEstimator::bspline;
         Transfer& transfer = scene.figure.layers.front().transfer;
         transfer.axis = "gradient";
