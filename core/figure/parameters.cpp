@@ -461,9 +461,9 @@ std::span<const Field> fieldsOf<Quality>() {
         field<&T::tableEntries>("table_entries",
                                 {.label = "Table entries",
                                  .help = "Of a transfer function; 0: as many as its narrowest feature needs.",
+                                 .cost = kPlan,
                                  .low = 0,
                                  .high = 1 << 20,
-                                 .cost = kPlan,
                                  .omitDefault = true}),
         field<&T::tolerance>("tolerance", {.label = "Tolerance",
                                            .help = "Largest error asked for; step and other settings are chosen to "

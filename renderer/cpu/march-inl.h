@@ -191,7 +191,8 @@ class March {
                 const Floats all = opacityOfLayers<VoxelField>(scene_, entry, sample.part, [](int, Floats) {});
                 opacity = hn::IfThenElseZero(shows, all);
             } else if (edge) {
-                opacity = opacityOfPart(visible, sample.part);
+                const StepOpacity step = {scene_.visibility, scene_.layers[0].opacity, scene_.stepRatio};
+                opacity = hn::IfThenElseZero(shows, step.read(at, sample.part));
             }
             const Floats weight = hn::NegMulAdd(opacity, alpha_, opacity);
             alpha_ = hn::Add(alpha_, weight);

@@ -313,7 +313,7 @@ void BuiltScene::addTransfer(const RenderPlan& plan, const PlanLayer& layer, Ker
     out.index = keep(table.index);
     if (table.rows == 0) {
         out.stepOpacity = keep(layer.stepOpacity);
-        out.opacity = out.opacityByValue ? nullptr : keep(table.opacity);
+        out.opacity = keep(table.opacity);
     } else {
         out.y = axis(plan, layer, table.axisY, {table.lowY, table.highY, table.rows});
         out.rows = table.rows;

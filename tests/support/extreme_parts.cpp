@@ -64,7 +64,7 @@ void scaleClip(Clip& clip, double factor) {
 }
 
 void pushCurve(Dice& dice, Transfer& transfer, std::string& story) {
-    const double all[] = {0, 1e-8, 1e-4, 0.3, 1 - 1e-7, 1};
+    const double all[] = {0, 1e-8, 1e-4, 0.3, 1 - 1e-6, 1};
     for (glm::dvec2& point : transfer.opacity) {
         if (dice.oneIn(2)) {
             point.y = all[dice.below(6)];
