@@ -10,7 +10,7 @@ namespace limner::testing {
 
 namespace {
 
-/// Places along a ray of a box's length, in single precision: some ulp of the extent.
+/// Places along a ray of a box's length, in single precision: some ulp of the box's diagonal.
 constexpr double kUlps = 1e-6;
 
 /// Opacities as single precision has them: some ulp of themselves and, near 1, of 1.
@@ -30,15 +30,20 @@ void roundOpacities(Layer& layer, double sign) {
     roundOpacity(layer.opacity, sign);
 }
 
-double extentVoxels(const RenderPlan& plan) {
-    const glm::ivec3 dims = plan.volume->grid().dims;
-    return std::max({dims.x, dims.y, dims.z});
+/// What `kUlps` of the diagonal are along an axis, in voxels: much where the others are a thousand times as long.
+double ulpsAlong(const RenderPlan& plan, int axis) {
+    const Grid& grid = plan.volume->grid();
+    return std::min(0.1, kUlps * grid.diagonalMm() / grid.spacingMm[axis]);
 }
+
+/// Components of a gradient that are no more than so many times what single precision leaves of 0 have no direction.
+constexpr double kRoundings = 16;
 
 } // namespace
 
 Conditioning::Conditioning(const ExtremeFigure& made, const RenderPlan& plan)
     : plan_(plan), exact_(makeReferenceBackend()) {
+    plan_.earlyTermination = 0;
     addTransfers(made);
     addRays();
 }
@@ -47,7 +52,9 @@ void Conditioning::addTransfers(const ExtremeFigure& made) {
     Planner planner;
     Task task;
     const auto add = [&](const std::string& name, const Figure& figure) {
-        neighbours_.push_back({name, planner.plan(figure, made.request, task)});
+        auto plan = std::make_shared<RenderPlan>(*planner.plan(figure, made.request, task));
+        plan->earlyTermination = 0;
+        neighbours_.push_back({name, plan});
     };
     for (const double sign : {-1.0, 1.0}) {
         Figure rounded = made.figure;
@@ -83,7 +90,6 @@ void Conditioning::addTransfers(const ExtremeFigure& made) {
 }
 
 void Conditioning::addRays() {
-    const double voxels = kUlps * extentVoxels(plan_);
     const auto add = [&](const std::string& name, const auto& change) {
         for (const double sign : {-1.0, 1.0}) {
             auto plan = std::make_shared<RenderPlan>(plan_);
@@ -93,11 +99,11 @@ void Conditioning::addRays() {
     };
     for (int axis = 0; axis < 3; ++axis) {
         add("rays along axis " + std::to_string(axis),
-            [&](RenderPlan& plan, double sign) { plan.rays.originVoxel[axis] += sign * voxels; });
+            [&](RenderPlan& plan, double sign) { plan.rays.originVoxel[axis] += sign * ulpsAlong(plan, axis); });
     }
-    const double steps = std::min(0.1, voxels * plan_.volume->grid().smallestSpacingMm() / plan_.lattice.stepMm);
+    const double steps = std::min(0.1, kUlps * plan_.volume->grid().diagonalMm() / plan_.lattice.stepMm);
     add("samples", [&](RenderPlan& plan, double sign) { plan.lattice.phase += sign * steps; });
-    add("ends of rays", [](RenderPlan& plan, double sign) { plan.earlyTermination *= 1 + 1e-4 * sign; });
+    add("gradients", [](RenderPlan& plan, double sign) { plan.gradientRounding *= sign > 0 ? kRoundings : 0; });
 }
 
 Conditioning::Spread Conditioning::at(glm::ivec2 pixel) const {

@@ -154,7 +154,7 @@ std::shared_ptr<const Volume> anyVolume(Dice& dice, const Data& data, Unit& unit
 std::shared_ptr<const Volume> labelsOn(const Grid& grid) {
     return makeVolume<std::uint8_t>(grid, VoxelType::uint8, [&](const glm::ivec3& v) {
         const double height = v.z + 0.3 * v.x - 0.2 * v.y;
-        return height < 0.3 * grid.dims.z ? 0 : height < 0.6 * grid.dims.z ? 3 : 7;
+        return v == glm::ivec3(0) ? 3 : height < 0.3 * grid.dims.z ? 0 : height < 0.6 * grid.dims.z ? 3 : 7;
     });
 }
 
@@ -225,7 +225,13 @@ void choosePixels(Dice& dice, ExtremeFigure& made) {
     double& step = made.figure.quality.stepVoxels;
     const double length = grid.diagonalMm() / grid.smallestSpacingMm();
     step = dice.any({0.001, 0.01, 0.1, 0.3, 0.45, 0.5, 1.0, 3.0, 8.0, 64.0});
+    if (made.figure.importance) { // what a longer step covers is 1 in single precision: no extinction to weigh
+        step = std::min(step, 3.0);
+    }
     step = std::max(step, length / kMostOnRay);
+    if (step < 0.1) {
+        keepPeaksBelow(made.figure, 0.999);
+    }
     made.story += ", steps of " + std::to_string(step);
     const double rays = kSamples / std::max(1.0, length / step);
     int edge = std::clamp(static_cast<int>(std::sqrt(rays)), 1, 12);
@@ -255,7 +261,7 @@ ExtremeFigure extremeFigure(unsigned seed) {
     made.figure = extremeLayers(dice, made.story);
     made.figure.volume->data = volume;
     made.figure.labels->data = labelsOn(data.grid);
-    if (dice.oneIn(4)) {
+    if (dice.oneIn(4) && data.grid.diagonalMm() < 30) { // those labels are around the middle
         moveLabelsToAnotherGrid(made.figure);
     }
     pushTransfers(dice, made.figure, made.story);

@@ -64,7 +64,7 @@ void scaleClip(Clip& clip, double factor) {
 }
 
 void pushCurve(Dice& dice, Transfer& transfer, std::string& story) {
-    const double all[] = {0, 1e-8, 1e-4, 0.3, 1 - 1e-6, 1};
+    const double all[] = {0, 1e-8, 1e-4, 0.3, 0.9999, 1};
     for (glm::dvec2& point : transfer.opacity) {
         if (dice.oneIn(2)) {
             point.y = all[dice.below(6)];
@@ -122,6 +122,17 @@ void pushTransfers(Dice& dice, Figure& figure, std::string& story) {
         }
         if (dice.oneIn(6)) {
             layer.opacity = dice.any({1e-8, 0.5});
+        }
+    }
+}
+
+void keepPeaksBelow(Figure& figure, double opacity) {
+    for (Layer& layer : figure.layers) {
+        for (glm::dvec2& point : layer.transfer.opacity) {
+            point.y = std::min(point.y, opacity);
+        }
+        for (OpacityShape& shape : layer.transfer.opacity2d) {
+            shape.opacity = std::min(shape.opacity, opacity);
         }
     }
 }

@@ -15,6 +15,10 @@ Figure extremeLayers(Dice& dice, std::string& story);
 /// Opacities of 0, 1e-8 and 1, steps of no width, smooth and stepped curves.
 void pushTransfers(Dice& dice, Figure& figure, std::string& story);
 
+/// Opacities no greater than that. A peak of opacity 1 that is narrower than an entry of the table is as wide as the
+/// entry, which is much of the depth along a ray where steps are far shorter than a voxel.
+void keepPeaksBelow(Figure& figure, double opacity);
+
 /// Weights up to a million, lenses, cues, contours, estimators, ends of rays.
 void pushParts(Dice& dice, Figure& figure, std::string& story);
 
