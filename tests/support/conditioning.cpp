@@ -30,10 +30,15 @@ void roundOpacities(Layer& layer, double sign) {
     roundOpacity(layer.opacity, sign);
 }
 
-/// What `kUlps` of the diagonal are along an axis, in voxels: much where the others are a thousand times as long.
+/// Rays are worked out from the middle of blocks of pixels: some ulp of a block's width, in pixels. (The specification
+/// allows 0.01.)
+constexpr double kPixels = 1e-5;
+
+/// Both along an axis, in voxels: much where the others are a thousand times as long, or where a pixel is.
 double ulpsAlong(const RenderPlan& plan, int axis) {
     const Grid& grid = plan.volume->grid();
-    return std::min(0.1, kUlps * grid.diagonalMm() / grid.spacingMm[axis]);
+    const double mm = std::max(kUlps * grid.diagonalMm(), kPixels * plan.rays.footprintMm);
+    return std::min(0.5 * grid.dims[axis], mm / grid.spacingMm[axis]);
 }
 
 /// Components of a gradient that are no more than so many times what single precision leaves of 0 have no direction.
