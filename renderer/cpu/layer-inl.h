@@ -21,18 +21,36 @@
 HWY_BEFORE_NAMESPACE();
 namespace limner::HWY_NAMESPACE {
 
-/// Opacity of a length from that of the reference length, or of a part of a step from that of the step.
+/// Opacity of a length from that of the reference length. Sums of parts, such as labels have, make 1 but for rounding.
 HWY_NOINLINE inline Floats opacityOfLength(Floats opacity, Floats ratio) {
     const Floats almost = splat(1.0F - 1e-7F);
     const Floats depth = hn::Mul(ratio, hn::Log1p(kF, hn::Neg(hn::Min(opacity, almost))));
     return hn::IfThenElse(hn::Ge(opacity, almost), splat(1), hn::Neg(hn::Expm1(kF, depth)));
 }
 
-/// Of a part of a step; a whole step bit for bit, whoever else is in the vector.
-HWY_INLINE Floats opacityOfPart(Floats opacity, Floats part) {
-    const Mask whole = hn::Ge(part, splat(1));
-    return hn::AllTrue(kF, whole) ? opacity : hn::IfThenElse(whole, opacity, opacityOfLength(opacity, part));
-}
+/// A layer's opacity by the value.
+struct StepOpacity {
+    const float* ofStep;
+    const float* ofReferenceLength;
+    float stepRatio;
+
+    /// Of a step, or of the part of it that a sample stands for. A whole step bit for bit, whoever else is in the
+    /// vector; a part by the reference length: a long step's opacity is 1 but for rounding, and tells no depth.
+    HWY_INLINE Floats read(const TablePlace& at, Floats part) const {
+        const Floats opacity = at.read(ofStep);
+        const Mask whole = hn::Ge(part, splat(1));
+        return hn::AllTrue(kF, whole) ? opacity : hn::IfThenElse(whole, opacity, readPart(at, part));
+    }
+
+  private:
+    HWY_NOINLINE Floats readPart(const TablePlace& at, Floats part) const {
+        const Floats opacity = at.read(ofReferenceLength);
+        const Floats almost = splat(1.0F - 0x1p-24F); // the last number below 1
+        const Floats depth = hn::Mul(hn::Mul(splat(stepRatio), part), hn::Log1p(kF, hn::Neg(hn::Min(opacity, almost))));
+        const Floats corrected = hn::IfThenElse(hn::Ge(opacity, splat(1)), splat(1), hn::Neg(hn::Expm1(kF, depth)));
+        return hn::IfThenElseZero(hn::Gt(part, splat(0)), corrected);
+    }
+};
 
 /// x^n for x in [0, 1], n > 0; whole exponents by repeated squaring, others by exp and log.
 HWY_NOINLINE inline Floats power(Floats x, float n) {
@@ -85,7 +103,7 @@ class LayerEvaluation {
         const Floats width = contourWidth(facts);
         if (layer_.opacityByValue) {
             const TablePlace at(entryOf(facts.tableEntry));
-            const Floats opacity = opacityOfPart(at.read(layer_.stepOpacity), facts.part);
+            const Floats opacity = stepOpacity().read(at, facts.part);
             if (!hn::AllFalse(kF, hn::Gt(opacity, splat(0)))) {
                 colour(facts, width, nodesOfLine(at), out);
                 tint(facts, out);
@@ -109,7 +127,7 @@ class LayerEvaluation {
 
     /// Opacity of a sample by its value alone; `entry`: of the scene's table.
     HWY_INLINE Floats opacityByValue(Floats entry, Floats part) const {
-        return opacityOfPart(TablePlace(entryOf(entry)).read(layer_.stepOpacity), part);
+        return stepOpacity().read(TablePlace(entryOf(entry)), part);
     }
 
     /// The colour alone, where the sample's opacity is known already.
@@ -128,6 +146,10 @@ class LayerEvaluation {
     }
 
   private:
+    [[nodiscard]] HWY_INLINE StepOpacity stepOpacity() const {
+        return {layer_.stepOpacity, layer_.opacity, scene_.stepRatio};
+    }
+
     /// Of the layer's table over the value.
     HWY_INLINE Floats entryOf(Floats sceneEntry) const {
         return hn::MulAdd(sceneEntry, splat(layer_.x.scale), splat(layer_.x.bias));

@@ -257,10 +257,13 @@ class March {
                 const Floats all = opacityOfLayers<VoxelField>(scene_, entry, sample.part, [](int, Floats) {});
                 opacity = hn::IfThenElseZero(shows, all);
             } else if (edge) {
-                opacity = opacityOfPart(visible, sample.part);
+                const StepOpacity step = {scene_.visibility, scene_.layers[0].opacity, scene_.stepRatio};
+                opacity = hn::IfThenElseZero(shows, step.read(at, sample.part));
             }
-            const Floats weight = hn::NegMulAdd(opacity, alpha_, opacity);
-            alpha_ = hn::Add(alpha_, weight);
+            const Floats covered = hn::Add(alpha_, hn::NegMulAdd(opacity, alpha_, opacity));
+            // What the opacity took in: near 1 it stands still, and thousands of colours would go on adding up.
+            const Floats weight = hn::Sub(covered, alpha_);
+            alpha_ = covered;
             queue_.push({&sample.place, sample.q, entry, weight, sample.part, pixel_, ray_->view, entry}, shows);
             alive_ = hn::And(alive_, hn::Lt(alpha_, splat(scene_.opaque)));
         } else if (queue_.push({&sample.place, sample.q, entry, splat(0), sample.part, pixel_, ray_->view, entry},

@@ -306,11 +306,12 @@ class ShadeQueue {
             for (const Evaluated& layer : layers_) {
                 const float opacity = layer.opacity.at[lane];
                 if (opacity > 0) {
-                    const float weight = (1 - alpha) * opacity;
+                    const float all = alpha + (1 - alpha) * opacity;
+                    const float weight = all - alpha; // see March::look
                     const Quad c = hn::IfThenElse(alphaLane(), hn::Set(kQuad, 1.0F),
                                                   hn::Load(kQuad, layer.colours.rgba + 4 * lane));
                     sum = hn::MulAdd(hn::Set(kQuad, weight), c, sum);
-                    alpha += weight;
+                    alpha = all;
                 }
             }
             hn::Store(sum, kQuad, pixel);

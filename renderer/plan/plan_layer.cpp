@@ -161,15 +161,17 @@ bool showsAnything(const Layer& layer, const TransferTable& table) {
 }
 
 VisibleRange visibleRange(const std::vector<PlanLayer>& layers, const Volume& volume) {
-    VisibleRange range{volume.storedFromValue(volume.range().low), volume.storedFromValue(volume.range().high), {}};
-    if (range.low > range.high) {
-        std::swap(range.low, range.high); // a falling rescale slope
-    }
+    ValueRange values = volume.range();
     std::size_t entries = 2;
     for (const PlanLayer& layer : layers) {
         if (layer.table.axisX == TransferAxis::value) {
             entries = std::max(entries, layer.table.opacity.size());
+            values = {layer.table.low, layer.table.high}; // of a constant volume wider than the volume's
         }
+    }
+    VisibleRange range{volume.storedFromValue(values.low), volume.storedFromValue(values.high), {}};
+    if (range.low > range.high) {
+        std::swap(range.low, range.high); // a falling rescale slope
     }
     range.visible.assign(entries, 0);
     for (const PlanLayer& layer : layers) {

@@ -78,6 +78,15 @@ double gradientRounding(const Volume& field) {
     return 1e-6 * std::max(std::abs(field.storedFromValue(range.low)), std::abs(field.storedFromValue(range.high)));
 }
 
+/// Gradients that are no more than what single precision leaves of a place where everything is equal: a place between
+/// voxels is off by some 1e-6 of a voxel, and a neighbour that is just out of reach gives that much of the data's
+/// range.
+double smallestGradient(const RenderPlan& plan) {
+    constexpr double voxels = 2e-6;
+    const ValueRange range = plan.volume->range();
+    return voxels * (range.high - range.low) / plan.referenceLengthMm;
+}
+
 void checkDrawable(const Figure& figure) {
     if (!figure.volume || !figure.volume->data) {
         refuse("/volume", "there is no volume", "choose a scan or find the one that moved");
@@ -209,7 +218,7 @@ void Planner::Cache::measureGradients(RenderPlan& plan) {
         const GradientStatistics statistics =
             gradients.get(plan.volume, [&] { return computeGradientStatistics(*plan.volume); });
         plan.gradientMax = statistics.p999 > 0 ? statistics.p999 : 1;
-        plan.gradientFloor = statistics.noise * noiseGain(plan) / kCentralNoiseGain;
+        plan.gradientFloor = std::max(statistics.noise * noiseGain(plan) / kCentralNoiseGain, smallestGradient(plan));
     }
 }
 

@@ -324,7 +324,7 @@ void BuiltScene::addTransfer(const RenderPlan& plan, const PlanLayer& layer, Ker
     if (table.rows == 0) {
         out.stepOpacity = keep(layer.stepOpacity);
         out.slabs = plan.preintegrated ? layer.slabs.data() : nullptr;
-        out.opacity = out.opacityByValue ? nullptr : keep(table.opacity);
+        out.opacity = keep(table.opacity);
     } else {
         out.y = axis(plan, layer, table.axisY, {table.lowY, table.highY, table.rows});
         out.rows = table.rows;

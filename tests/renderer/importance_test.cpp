@@ -1,4 +1,5 @@
 #include "core/optics/importance.h"
+#include "renderer/accuracy/importance_scenes.h"
 #include "renderer/plan/importance_bricks.h"
 #include "support/rendering.h"
 #include "support/transfer_scenes.h"
@@ -16,65 +17,18 @@ namespace {
 using testing::planOf;
 using testing::renderWhole;
 
-/// Scene A5 (spec accuracy.md 1.5): along the ray a slab of opacity a0 in red, of no importance; a gap; a slab of
-/// optical depth tau in green, of importance D.
-struct ImportancePair {
-    double a0, importance, depth;
-
-    [[nodiscard]] accuracy::AnalyticScene scene(int stepsPerSlab) const {
-        constexpr int kVoxels = 41; // 40 cells along x: 16 of each slab, 8 of the gap
-        Grid grid;
-        grid.dims = {kVoxels, 2, 2};
-        grid.spacingMm = glm::dvec3(1);
-        const auto volume = accuracy::sampleField(grid, [](const glm::dvec3& mm) { return mm.x; });
-        Camera camera = accuracy::viewAlongZ(grid.centreMm(), 0.5);
-        camera.direction = {1, 0, 0};
-        accuracy::AnalyticScene scene{"A5", accuracy::plainFigure(volume, camera), {}};
-        scene.request.size = {1, 1};
-        scene.request.lattice = SampleLattice{16.0 / stepsPerSlab, 0.5, 0.5};
-        Transfer& transfer = scene.figure.layers.front().transfer;
-        transfer.nodes = {{0, "", glm::dvec3(1, 0, 0)},
-                          {19, "", glm::dvec3(1, 0, 0)},
-                          {21, "", glm::dvec3(0, 1, 0)},
-                          {40, "", glm::dvec3(0, 1, 0)}};
-        const double front = a0 < 1 ? -std::expm1(std::log1p(-a0) / 16) : 1;
-        const double back = -std::expm1(-depth / 16);
-        transfer.opacity = {{0, front}, {16, front}, {16, 0}, {24, 0}, {24, back}, {40, back}};
-        Importance& settings = scene.figure.importance.emplace();
-        settings.cap = 64;
-        settings.noiseFloor = 0;
-        settings.weights.object = 1;
-        settings.objects = {{1, importance}};
-        const auto labels = accuracy::sampleField(grid, [](const glm::dvec3& mm) { return mm.x > 20 ? 1 : 0; });
-        scene.figure.labels.emplace();
-        scene.figure.labels->data = labels;
-        return scene;
-    }
-
-    /// Weights of red and green, and the opacity.
-    [[nodiscard]] glm::dvec3 expected() const {
-        const double r0 = std::exp(-importance);
-        const double b0 = std::min(a0, r0);
-        const double b = 1 - (1 - b0) * std::exp(-depth);
-        const double a = 1 - (1 - a0) * std::exp(-depth);
-        return {a * b0 / b, a * (b - b0) / b, a};
-    }
-};
-
 class ImportanceOnBackends : public testing::BackendTest {};
 LIMNER_ON_EVERY_BACKEND(ImportanceOnBackends);
 
 TEST_P(ImportanceOnBackends, PairOfSlabs) {
-    const ImportancePair rows[] = {{.99, 2, .5},           {.99, 20, .5}, {.99, 20, 1e-7}, {.99, 20, std::exp(-20.0)},
-                                   {1, std::log(1000), 1}, {.5, .3, 2},   {.99, 0, 1}};
-    for (const ImportancePair& row : rows) {
+    for (const accuracy::ImportanceRow& row : accuracy::importanceTable()) {
         for (const int steps : {2, 8, 16, 64}) { // the same whatever the step
-            const Picture picture = renderWhole(backend(), row.scene(steps));
-            const glm::dvec3 expected = row.expected();
+            const Picture picture = renderWhole(backend(), row.pair.scene(steps));
+            const glm::dvec3 expected = row.pair.weights();
             const double allowed = rounding(6e-8, 2e-5); // a picture's numbers are float32
-            EXPECT_NEAR(picture.pixel(0, 0)[0], expected.x, allowed) << row.importance << " steps " << steps;
-            EXPECT_NEAR(picture.pixel(0, 0)[1], expected.y, allowed) << row.importance << " steps " << steps;
-            EXPECT_NEAR(picture.pixel(0, 0)[3], expected.z, allowed) << row.importance << " steps " << steps;
+            EXPECT_NEAR(picture.pixel(0, 0)[0], expected.x, allowed) << row.pair.importance << " steps " << steps;
+            EXPECT_NEAR(picture.pixel(0, 0)[1], expected.y, allowed) << row.pair.importance << " steps " << steps;
+            EXPECT_NEAR(picture.pixel(0, 0)[3], expected.z, allowed) << row.pair.importance << " steps " << steps;
         }
     }
 }

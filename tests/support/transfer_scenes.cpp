@@ -1,6 +1,7 @@
 #include "support/transfer_scenes.h"
 
 #include "renderer/accuracy/analytic_scenes.h"
+#include "support/dice.h"
 #include "support/make_volume.h"
 #include "support/part_scenes.h"
 
@@ -8,7 +9,6 @@
 #include <glm/matrix.hpp>
 
 #include <cmath>
-#include <random>
 
 namespace limner::testing {
 
@@ -450,24 +450,6 @@ const std::vector<TransferFeature>& transferFeatures() {
 }
 
 namespace {
-
-/// Random choices with names.
-class Dice {
-  public:
-    explicit Dice(unsigned seed) : random_(seed) {}
-    /// Not std's distributions: they differ between libraries.
-    double unit() { return static_cast<double>(random_()) / 4294967296.0; }
-    double between(double low, double high) { return low + (high - low) * unit(); }
-    int below(int count) { return static_cast<int>(random_() % static_cast<unsigned>(count)); }
-    bool oneIn(int count) { return below(count) == 0; }
-    template <typename T>
-    T any(std::initializer_list<T> choices) {
-        return choices.begin()[below(static_cast<int>(choices.size()))];
-    }
-
-  private:
-    std::mt19937 random_;
-};
 
 glm::dmat3 anyRotation(Dice& dice) {
     const glm::dvec3 x = glm::normalize(glm::dvec3(dice.between(0.2, 1), dice.between(-1, 1), dice.between(-1, 1)));

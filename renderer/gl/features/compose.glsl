@@ -86,7 +86,9 @@ bool isDone(Pixel pixel) { return pixel.rgba.a >= opaque; }
 vec4 finished(Pixel pixel) { return pixel.rgba; }
 
 void composeLayer(inout Pixel pixel, vec3 colour, float opacity) {
-    float weight = (1.0 - pixel.rgba.a) * opacity;
-    pixel.rgba += weight * vec4(colour, 1.0);
+    // What the opacity takes in: near 1 it stands still, and thousands of colours would go on adding up.
+    precise float covered = pixel.rgba.a + (1.0 - pixel.rgba.a) * opacity;
+    precise float weight = covered - pixel.rgba.a;
+    pixel.rgba = vec4(pixel.rgba.rgb + weight * colour, covered);
 }
 #endif

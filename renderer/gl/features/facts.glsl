@@ -22,9 +22,6 @@ struct Facts {
     vec4 ownFace;        // of the layer's own cut
 };
 
-/// Opacity of a part of a step from that of the whole, bit for bit where it is whole.
-float opacityOfPart(float opacity, float part) { return part >= 1.0 ? opacity : opacityOfLength(opacity, part); }
-
 float linearAt(vec4 fromCell, vec3 q) { return dot(fromCell.xyz, q) + fromCell.w; }
 
 #if READS_NORMAL

@@ -318,7 +318,9 @@ float evaluate@(Facts shared_, out vec4 colour) {
     colour = vec4(0.0);
 #if BY_VALUE_@
     float entry = facts.entry * valueOfEntry@.x + valueOfEntry@.y;
-    float opacity = opacityOfPart(readTable(stepOpacity@, entry), facts.part);
+    // Parts go by the reference length: a long step's opacity is 1 but for rounding, and tells no depth.
+    float opacity = facts.part >= 1.0 ? readTable(stepOpacity@, entry)
+                                      : opacityOfLength(readTable(opacity@, entry), stepRatio * facts.part);
     if (opacity > 0.0) {
         colour = colourByValue@(facts, entry);
     }
