@@ -18,6 +18,7 @@ using FindFunction = std::function<void*(const char*)>;
     X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)                                                                       \
     X(PFNGLBINDTEXTUREPROC, BindTexture)                                                                               \
     X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                                                                       \
+    X(PFNGLBLENDEQUATIONPROC, BlendEquation)                                                                           \
     X(PFNGLBLENDFUNCPROC, BlendFunc)                                                                                   \
     X(PFNGLBUFFERDATAPROC, BufferData)                                                                                 \
     X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)                                                         \

@@ -1,0 +1,137 @@
+#include "renderer/marks/dot_cloud.h"
+
+#include "core/optics/stipple.h"
+#include "renderer/marks/volume_dots.h"
+
+#include <glm/geometric.hpp>
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace limner {
+
+namespace {
+
+constexpr std::size_t kChunk = 16384; ///< voxels that one task looks at
+constexpr double kRounding = 1.0001;  ///< that a bound must not fall short by
+
+/// The most dots that a voxel asks for in any view: the factors that depend on the view at their largest.
+class Bounds {
+  public:
+    Bounds(const Stipple& stipple, const MarkField& field, double density, double headroom)
+        : stipple_(stipple), density_(density) {
+        const double scale = field.paperPerMm * field.zoom * headroom * field.mmPerVoxel;
+        perFace_ = kRounding * scale * scale / std::max(largestDotArea(stipple), 1e-12);
+    }
+
+    [[nodiscard]] double dotsOf(const MarkVoxel& voxel) const {
+        float tone = 1;
+        float size = voxel.gradient;
+        if (stipple_.matter == "layers") {
+            tone = optics::smoothStep<float>(kFaintMatter, kFullMatter, voxel.value);
+        }
+        if (const auto& k = stipple_.boundary) {
+            tone *= optics::boundaryFactor<float>(voxel.value, voxel.gradient, curve(k->kgc, k->kgs, k->kge));
+        }
+        if (const auto& k = stipple_.silhouette) {
+            const auto along = curve(k->ksc, k->kss, k->kse);
+            tone *= std::max(optics::silhouetteFactor<float>(voxel.value, 0, along),
+                             optics::silhouetteFactor<float>(voxel.value, 1, along));
+        }
+        if (const auto& k = stipple_.interior) {
+            const auto factor = optics::interiorFactor<float>(voxel.gradient, static_cast<float>(k->kte));
+            tone *= factor;
+            size *= factor;
+        }
+        const double asked = kRounding * density_ * static_cast<double>(tone);
+        double share = 0;
+        if (stipple_.tone == "ink") {
+            const float least = std::max(stipple_.distance ? 0.0F : size, kSmallestDot);
+            share = dotPattern().densityFor(std::min(asked, kFullestTone)) / static_cast<double>(least * least);
+        } else {
+            const double shrunk = static_cast<double>(size / std::max(size, kSmallestDot));
+            share = asked * shrunk * shrunk;
+        }
+        return static_cast<double>(voxel.share) * perFace_ * share;
+    }
+
+  private:
+    static optics::StippleCurve<float> curve(double c, double s, double e) {
+        return {static_cast<float>(c), static_cast<float>(s), static_cast<float>(e)};
+    }
+
+    const Stipple& stipple_;
+    double density_;
+    double perFace_;
+};
+
+} // namespace
+
+double dotHeadroom(const RenderPlan& plan, const MarkField& field, const MarkView& view) {
+    double scale = view.scale();
+    if (!view.linear()) {
+        constexpr double kNearest = 0.1; // of the way from the eye to the target
+        const double nearest = static_cast<double>(view.place(plan.volume->grid().centreMm()).depthMm) +
+                               0.5 * glm::length(plan.volume->grid().sizeMm());
+        const double left = 1 - nearest / view.frame().eyeDistanceMm;
+        if (!(left > kNearest)) {
+            return 0;
+        }
+        scale /= left;
+    }
+    constexpr double kSlack = 1e-6; // a view at the very scale of the next step's begin
+    const double steps = std::ceil(2 * std::log2(scale / (field.paperPerMm * field.zoom)) - kSlack);
+    return std::exp2(0.5 * std::max(steps, 0.0)) * (1 + kSlack);
+}
+
+std::shared_ptr<const DotCloud> makeDotCloud(const Stipple& stipple, const MarkField& field, double density,
+                                             double headroom, std::size_t most, Task& task) {
+    auto cloud = std::make_shared<DotCloud>();
+    cloud->headroom = headroom;
+    for (std::size_t i = 0; i < field.voxels.size(); ++i) {
+        if (field.voxels[i].share > 0) {
+            cloud->voxels.push_back(static_cast<std::uint32_t>(i));
+        }
+    }
+    const FacePoints points(field, stipple);
+    const double capacity = points.capacity();
+    const Bounds bounds(stipple, field, density, headroom);
+    std::vector<float> ends(cloud->voxels.size());
+    tbb::parallel_for(std::size_t{0}, ends.size(), [&](std::size_t i) {
+        const auto end = static_cast<float>(bounds.dotsOf(field.voxels[cloud->voxels[i]]) / capacity);
+        ends[i] = std::min(end + 0.5F * std::min(1 / static_cast<float>(capacity), kFadingPart * end), 1.0F);
+    });
+    double expected = 0;
+    for (const float end : ends) {
+        expected += static_cast<double>(end) * capacity;
+    }
+    if (expected > static_cast<double>(most)) {
+        return nullptr;
+    }
+    std::vector<std::vector<DotCandidate>> chunks((ends.size() + kChunk - 1) / kChunk);
+    tbb::parallel_for(std::size_t{0}, chunks.size(), [&](std::size_t chunk) {
+        const std::size_t last = std::min((chunk + 1) * kChunk, ends.size());
+        for (std::size_t i = chunk * kChunk; i < last && !task.cancelled(); ++i) {
+            const MarkVoxel& voxel = field.voxels[cloud->voxels[i]];
+            points.forEachOf(voxel, field.faceOf(voxel), ends[i], [&](const FacePoint& point) {
+                const auto rank = static_cast<std::uint32_t>(point.rank * static_cast<float>(DotPattern::kCount));
+                chunks[chunk].push_back({point.onFace, static_cast<std::uint32_t>(i), rank << 16U | point.random});
+            });
+        }
+    });
+    task.throwIfCancelled();
+    std::size_t count = 0;
+    for (const auto& chunk : chunks) {
+        count += chunk.size();
+    }
+    cloud->dots.reserve(count);
+    for (const auto& chunk : chunks) {
+        cloud->dots.insert(cloud->dots.end(), chunk.begin(), chunk.end());
+    }
+    return cloud;
+}
+
+} // namespace limner
