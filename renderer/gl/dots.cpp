@@ -71,12 +71,13 @@ std::vector<glm::vec4> cutsSeen(const Clip& clip, const ViewFrame& frame) {
     return cuts;
 }
 
-/// What dots are made from; lines have no part in it.
-Stipple dotSettings(Stipple stipple) {
+/// Leaves what a cloud is made from: lines, light and colour have no part in it.
+void keepCloudSettings(Stipple& stipple) {
     stipple.curves.reset();
     stipple.innerLines.reset();
     stipple.hatching.reset();
-    return stipple;
+    stipple.lighting.reset();
+    stipple.inkRgb = {};
 }
 
 } // namespace
@@ -212,7 +213,8 @@ bool DotDrawing::prepare() {
 
 bool DotDrawing::makeCloud() {
     const double headroom = dotHeadroom(plan_, field_, view_);
-    const Stipple settings = dotSettings(stipple_);
+    Stipple settings(stipple_);
+    keepCloudSettings(settings);
     const bool known = memory_.cloud && memory_.field.lock() == plan_.marks->field && memory_.settings == settings &&
                        memory_.density == ink_.density && memory_.cloud->headroom == headroom;
     if (known) {

@@ -15,8 +15,9 @@ namespace limner {
 
 namespace {
 
-constexpr std::size_t kChunk = 16384; ///< voxels that one task looks at
-constexpr double kRounding = 1.0001;  ///< that a bound must not fall short by
+constexpr std::size_t kChunk = 16384;  ///< voxels that one task looks at
+constexpr double kRounding = 1.0001;   ///< that a bound must not fall short by
+constexpr double kBetweenSteps = 1.03; ///< the same of a largest value that is looked for at steps
 
 /// The most dots that a voxel asks for in any view: the factors that depend on the view at their largest.
 class Bounds {
@@ -36,31 +37,59 @@ class Bounds {
         if (const auto& k = stipple_.boundary) {
             tone *= optics::boundaryFactor<float>(voxel.value, voxel.gradient, curve(k->kgc, k->kgs, k->kge));
         }
-        if (const auto& k = stipple_.silhouette) {
-            const auto along = curve(k->ksc, k->kss, k->kse);
-            tone *= std::max(optics::silhouetteFactor<float>(voxel.value, 0, along),
-                             optics::silhouetteFactor<float>(voxel.value, 1, along));
-        }
         if (const auto& k = stipple_.interior) {
             const auto factor = optics::interiorFactor<float>(voxel.gradient, static_cast<float>(k->kte));
             tone *= factor;
             size *= factor;
         }
-        const double asked = kRounding * density_ * static_cast<double>(tone);
-        double share = 0;
-        if (stipple_.tone == "ink") {
-            const float least = std::max(stipple_.distance ? 0.0F : size, kSmallestDot);
-            share = dotPattern().densityFor(std::min(asked, kFullestTone)) / static_cast<double>(least * least);
-        } else {
-            const double shrunk = static_cast<double>(size / std::max(size, kSmallestDot));
-            share = asked * shrunk * shrunk;
-        }
-        return static_cast<double>(voxel.share) * perFace_ * share;
+        return static_cast<double>(voxel.share) * perFace_ * largestOverSlants(voxel, tone, size);
     }
 
   private:
     static optics::StippleCurve<float> curve(double c, double s, double e) {
         return {static_cast<float>(c), static_cast<float>(s), static_cast<float>(e)};
+    }
+
+    /// A surface's area on paper goes with |n.e|, and so may its tone.
+    [[nodiscard]] double largestOverSlants(const MarkVoxel& voxel, float tone, float size) const {
+        if (!stipple_.silhouette) {
+            return largestOverDepths(tone, size);
+        }
+        constexpr int kSteps = 8;
+        const auto& k = *stipple_.silhouette;
+        double largest = 0;
+        for (int i = 1; i <= kSteps; ++i) {
+            const float facing = static_cast<float>(i) / kSteps;
+            const float factor = optics::silhouetteFactor<float>(voxel.value, facing, curve(k.ksc, k.kss, k.kse));
+            largest = std::max(largest, static_cast<double>(facing) * largestOverDepths(tone * factor, size));
+        }
+        return kBetweenSteps * largest;
+    }
+
+    /// Farther dots are smaller and of less tone.
+    [[nodiscard]] double largestOverDepths(float tone, float size) const {
+        if (!stipple_.distance) {
+            return shareOf(tone, size);
+        }
+        constexpr int kSteps = 4;
+        const float least =
+            std::min(kSmallestDot / std::max(size, kSmallestDot), 1.0F); // below it there are only fewer
+        double largest = 0;
+        for (int i = 0; i <= kSteps; ++i) {
+            const float factor = least + (1 - least) * static_cast<float>(i) / kSteps;
+            largest = std::max(largest, shareOf(tone * factor, size * factor));
+        }
+        return kBetweenSteps * largest;
+    }
+
+    [[nodiscard]] double shareOf(float tone, float size) const {
+        const double asked = kRounding * density_ * static_cast<double>(tone);
+        const auto drawn = static_cast<double>(std::max(size, kSmallestDot));
+        if (stipple_.tone == "ink") {
+            return dotPattern().densityFor(std::min(asked, kFullestTone)) / (drawn * drawn);
+        }
+        const double shrunk = static_cast<double>(size) / drawn;
+        return asked * shrunk * shrunk;
     }
 
     const Stipple& stipple_;
