@@ -19,7 +19,7 @@ namespace limner::gl {
 namespace {
 
 constexpr int kAcross = 2048;                         ///< voxels, or listed dots, in a row of a texture
-constexpr std::size_t kMostDots = 32'000'000;         ///< half a gigabyte
+constexpr std::size_t kMostDots = 16'000'000;         ///< a quarter of a gigabyte
 constexpr std::size_t kPiece = std::size_t{1} << 19U; ///< dots drawn between two looks at the task
 constexpr float kNothing = -3e38F;                    ///< depth where there is no matter
 constexpr TextureForm kNumbers{GL_TEXTURE_2D, GL_RGBA32F, GL_RGBA, GL_FLOAT, GL_NEAREST, {1, 1, 1}};
@@ -118,7 +118,7 @@ std::optional<std::vector<float>> DotDrawing::drawTile(const Tile& tile) {
     if (through.empty()) {
         return through;
     }
-    if (!prepare()) {
+    if (!prepare(false)) {
         return std::nullopt;
     }
     resize(memory_.canvas, tile.size, kNumber, 1);
@@ -148,10 +148,10 @@ std::optional<std::vector<float>> DotDrawing::drawTile(const Tile& tile) {
 
 std::vector<Dot> DotDrawing::list() {
     std::vector<Dot> dots;
-    if (!prepare()) {
+    if (!prepare(true)) {
         return dots;
     }
-    const glm::ivec2 size = texelsFor(memory_.cloud->dots.size());
+    const glm::ivec2 size = texelsFor(memory_.cloud->dotCount());
     resize(memory_.list, size, kNumbers, 2);
     constexpr std::array<float, 4> kClear = {0, 0, 0, 0};
     gl_.ClearBufferfv(GL_COLOR, 0, kClear.data());
@@ -179,9 +179,9 @@ std::vector<Dot> DotDrawing::list() {
     return dots;
 }
 
-/// All that does not depend on the tile; false: there are too many dots.
-bool DotDrawing::prepare() {
-    if (!makeCloud()) {
+/// All that does not depend on the tile; false: there is no cloud.
+bool DotDrawing::prepare(bool atOnce) {
+    if (!makeCloud(atOnce)) {
         return false;
     }
     if (!memory_.none) {
@@ -211,24 +211,31 @@ bool DotDrawing::prepare() {
     return true;
 }
 
-bool DotDrawing::makeCloud() {
+bool DotSource::is(const DotSource& other) const {
+    return field.lock() == other.field.lock() && settings == other.settings && density == other.density;
+}
+
+bool DotDrawing::makeCloud(bool atOnce) {
     const double headroom = dotHeadroom(plan_, field_, view_);
-    Stipple settings(stipple_);
-    keepCloudSettings(settings);
-    const bool known = memory_.cloud && memory_.field.lock() == plan_.marks->field && memory_.settings == settings &&
-                       memory_.density == ink_.density && memory_.cloud->headroom == headroom;
-    if (known) {
+    DotSource source{plan_.marks->field, stipple_, ink_.density};
+    keepCloudSettings(source.settings);
+    constexpr double kTooDense = 2; // times as much headroom
+    if (memory_.cloud && memory_.source.is(source) && memory_.cloud->headroom >= headroom &&
+        memory_.cloud->headroom < kTooDense * headroom) {
         return true;
     }
     memory_.cloud.reset();
+    const bool again = memory_.asked.is(source);
+    memory_.asked = source;
+    if (!again && !atOnce) {
+        return false;
+    }
     // The voxels' textures and the dots are wanted at the same time, beside what the layers read.
     const std::uint64_t voxels = 3 * sizeof(glm::vec4) * (field_.voxels.size() + kAcross);
     const std::uint64_t room = (std::max(device_.room() / 2, voxels) - voxels) / sizeof(DotCandidate);
     memory_.cloud =
         makeDotCloud(stipple_, field_, ink_.density, headroom, std::min<std::uint64_t>(room, kMostDots), task_);
-    memory_.field = plan_.marks->field;
-    memory_.settings = settings;
-    memory_.density = ink_.density;
+    memory_.source = source;
     return memory_.cloud != nullptr;
 }
 
@@ -394,13 +401,19 @@ void DotDrawing::setCandidates(Program& program, TextureUnits& units) {
 }
 
 void DotDrawing::drawCandidates() {
-    const auto& dots = memory_.cloud->dots;
-    const std::uint64_t bytes = dots.size() * sizeof(DotCandidate);
+    const std::size_t count = memory_.cloud->dotCount();
+    const std::uint64_t bytes = count * sizeof(DotCandidate);
     gl_.BindVertexArray(memory_.vertices.id());
     const GLuint id = device_.buffer(memory_.cloud, "dots", bytes, [&](Buffer& buffer) {
         buffer = Buffer(gl_);
         gl_.BindBuffer(GL_ARRAY_BUFFER, buffer.id());
-        gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), dots.data(), GL_STATIC_DRAW);
+        gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_STATIC_DRAW);
+        GLintptr at = 0;
+        for (const auto& part : memory_.cloud->dots) {
+            const auto size = static_cast<GLsizeiptr>(part.size() * sizeof(DotCandidate));
+            gl_.BufferSubData(GL_ARRAY_BUFFER, at, size, part.data());
+            at += size;
+        }
     });
     gl_.BindBuffer(GL_ARRAY_BUFFER, id);
     const auto at = [](std::size_t offset) { return reinterpret_cast<const void*>(offset); };
@@ -408,10 +421,9 @@ void DotDrawing::drawCandidates() {
     gl_.VertexAttribIPointer(1, 2, GL_UNSIGNED_INT, sizeof(DotCandidate), at(offsetof(DotCandidate, voxel)));
     gl_.EnableVertexAttribArray(0);
     gl_.EnableVertexAttribArray(1);
-    for (std::size_t first = 0; first < dots.size(); first += kPiece) {
+    for (std::size_t first = 0; first < count; first += kPiece) {
         task_.throwIfCancelled();
-        gl_.DrawArrays(GL_POINTS, static_cast<GLint>(first),
-                       static_cast<GLsizei>(std::min(kPiece, dots.size() - first)));
+        gl_.DrawArrays(GL_POINTS, static_cast<GLint>(first), static_cast<GLsizei>(std::min(kPiece, count - first)));
         gl_.Finish();
     }
 }

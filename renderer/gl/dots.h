@@ -11,6 +11,14 @@
 
 namespace limner::gl {
 
+/// What a cloud of dots is made from.
+struct DotSource {
+    std::weak_ptr<const MarkField> field;
+    Stipple settings;
+    double density = 0;
+    [[nodiscard]] bool is(const DotSource& other) const;
+};
+
 /// What a device keeps of dots from picture to picture.
 struct DotMemory {
     /// Textures that are drawn into, made anew where another size is asked for.
@@ -29,9 +37,8 @@ struct DotMemory {
     VertexArray vertices;
 
     std::shared_ptr<const DotCloud> cloud; ///< and what it was made from
-    std::weak_ptr<const MarkField> field;
-    Stipple settings;
-    double density = 0;
+    DotSource source;
+    DotSource asked; ///< last
 };
 
 /// Whether the dots of a plan are drawn here: those that lie on the volume while it turns, in one ink, unless they are
@@ -45,14 +52,15 @@ class DotDrawing {
   public:
     DotDrawing(Device& device, DotMemory& memory, const RenderPlan& plan, Task& task);
     /// How much light a tile's dots let through, the top row first; absent where there are more dots than the card
-    /// holds. Throws Error(cancelled), Error(noOpenGl), Error(noResources).
+    /// holds, and once after a change of what they are made from: while a setting is being moved it is not worth
+    /// putting all of them on the card. Throws Error(cancelled), Error(noOpenGl), Error(noResources).
     std::optional<std::vector<float>> drawTile(const Tile& tile);
     /// The dots that are drawn; none where there are too many.
     std::vector<Dot> list();
 
   private:
-    bool prepare();
-    bool makeCloud();
+    bool prepare(bool atOnce);
+    bool makeCloud(bool atOnce);
     void uploadVoxels();
     void drawNearest();
     void drawCounts();

@@ -21,6 +21,7 @@ using FindFunction = std::function<void*(const char*)>;
     X(PFNGLBLENDEQUATIONPROC, BlendEquation)                                                                           \
     X(PFNGLBLENDFUNCPROC, BlendFunc)                                                                                   \
     X(PFNGLBUFFERDATAPROC, BufferData)                                                                                 \
+    X(PFNGLBUFFERSUBDATAPROC, BufferSubData)                                                                           \
     X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)                                                         \
     X(PFNGLCLEARBUFFERFVPROC, ClearBufferfv)                                                                           \
     X(PFNGLCOMPILESHADERPROC, CompileShader)                                                                           \

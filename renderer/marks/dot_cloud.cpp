@@ -9,7 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <numeric>
 
 namespace limner {
 
@@ -99,6 +99,11 @@ class Bounds {
 
 } // namespace
 
+std::size_t DotCloud::dotCount() const {
+    return std::accumulate(dots.begin(), dots.end(), std::size_t{0},
+                           [](std::size_t sum, const auto& part) { return sum + part.size(); });
+}
+
 double dotHeadroom(const RenderPlan& plan, const MarkField& field, const MarkView& view) {
     double scale = view.scale();
     if (!view.linear()) {
@@ -112,8 +117,9 @@ double dotHeadroom(const RenderPlan& plan, const MarkField& field, const MarkVie
         scale /= left;
     }
     constexpr double kSlack = 1e-6; // a view at the very scale of the next step's begin
-    const double steps = std::ceil(2 * std::log2(scale / (field.paperPerMm * field.zoom)) - kSlack);
-    return std::exp2(0.5 * std::max(steps, 0.0)) * (1 + kSlack);
+    constexpr double kPerDoubling = 4;
+    const double steps = std::ceil(kPerDoubling * std::log2(scale / (field.paperPerMm * field.zoom)) - kSlack);
+    return std::exp2(std::max(steps, 0.0) / kPerDoubling) * (1 + kSlack);
 }
 
 std::shared_ptr<const DotCloud> makeDotCloud(const Stipple& stipple, const MarkField& field, double density,
@@ -140,26 +146,25 @@ std::shared_ptr<const DotCloud> makeDotCloud(const Stipple& stipple, const MarkF
     if (expected > static_cast<double>(most)) {
         return nullptr;
     }
-    std::vector<std::vector<DotCandidate>> chunks((ends.size() + kChunk - 1) / kChunk);
-    tbb::parallel_for(std::size_t{0}, chunks.size(), [&](std::size_t chunk) {
-        const std::size_t last = std::min((chunk + 1) * kChunk, ends.size());
-        for (std::size_t i = chunk * kChunk; i < last && !task.cancelled(); ++i) {
+    cloud->dots.resize((ends.size() + kChunk - 1) / kChunk);
+    tbb::parallel_for(std::size_t{0}, cloud->dots.size(), [&](std::size_t chunk) {
+        std::vector<DotCandidate>& dots = cloud->dots[chunk];
+        const std::size_t first = chunk * kChunk;
+        const std::size_t last = std::min(first + kChunk, ends.size());
+        double wanted = 0;
+        for (std::size_t i = first; i < last; ++i) {
+            wanted += static_cast<double>(ends[i]) * capacity;
+        }
+        dots.reserve(static_cast<std::size_t>(1.05 * wanted) + 64);
+        for (std::size_t i = first; i < last && !task.cancelled(); ++i) {
             const MarkVoxel& voxel = field.voxels[cloud->voxels[i]];
             points.forEachOf(voxel, field.faceOf(voxel), ends[i], [&](const FacePoint& point) {
                 const auto rank = static_cast<std::uint32_t>(point.rank * static_cast<float>(DotPattern::kCount));
-                chunks[chunk].push_back({point.onFace, static_cast<std::uint32_t>(i), rank << 16U | point.random});
+                dots.push_back({point.onFace, static_cast<std::uint32_t>(i), rank << 16U | point.random});
             });
         }
     });
     task.throwIfCancelled();
-    std::size_t count = 0;
-    for (const auto& chunk : chunks) {
-        count += chunk.size();
-    }
-    cloud->dots.reserve(count);
-    for (const auto& chunk : chunks) {
-        cloud->dots.insert(cloud->dots.end(), chunk.begin(), chunk.end());
-    }
     return cloud;
 }
 

@@ -20,12 +20,14 @@ struct DotCandidate {
 /// All dots on the volume that any view from no nearer than `headroom` says may draw: what a graphics card is given
 /// once and draws from as the volume turns. Immutable, thread-safe.
 struct DotCloud {
-    std::vector<std::uint32_t> voxels; ///< of the field's, those that draw a surface
-    std::vector<DotCandidate> dots;    ///< voxel by voxel
-    double headroom = 1;               ///< factor on the field's own scale up to which there are enough of them
+    std::vector<std::uint32_t> voxels;           ///< of the field's, those that draw a surface
+    std::vector<std::vector<DotCandidate>> dots; ///< in parts, voxel by voxel
+    double headroom = 1; ///< factor on the field's own scale up to which there are enough of them
+
+    [[nodiscard]] std::size_t dotCount() const;
 };
 
-/// The headroom that a view needs: powers of the square root of 2, the same for every direction in which parallel rays
+/// The headroom that a view needs: powers of the fourth root of 2, the same for every direction in which parallel rays
 /// or a camera that circles the volume looks. 0: the eye is too near.
 double dotHeadroom(const RenderPlan& plan, const MarkField& field, const MarkView& view);
 

@@ -117,6 +117,12 @@ Picture markedPicture(const RenderPlan& plan, const Backend& backend) {
     return MarkedPicture(plan, backend, task).render({{0, 0}, plan.size}, task).picture;
 }
 
+/// As the card draws it: the second picture of a setting, since the first is the processor's.
+Picture cardsPicture(const RenderPlan& plan, const Backend& gl) {
+    markedPicture(plan, gl);
+    return markedPicture(plan, gl);
+}
+
 /// Dots of `a` that `b` has not: at the place, of the size and the opacity.
 std::size_t missingIn(const std::vector<Dot>& a, const std::vector<Dot>& b) {
     constexpr float kCellMm = 0.02F;
@@ -157,6 +163,10 @@ class CountingContext : public gl::Context {
             bufferData = reinterpret_cast<PFNGLBUFFERDATAPROC>(found);
             return reinterpret_cast<void*>(&countBuffer);
         }
+        if (name == "glBufferSubData") {
+            bufferSubData = reinterpret_cast<PFNGLBUFFERSUBDATAPROC>(found);
+            return reinterpret_cast<void*>(&countPart);
+        }
         if (name == "glTexImage2D") {
             texImage2d = reinterpret_cast<PFNGLTEXIMAGE2DPROC>(found);
             return reinterpret_cast<void*>(&countPicture);
@@ -170,12 +180,17 @@ class CountingContext : public gl::Context {
         uploads += data != nullptr ? 1 : 0;
         bufferData(target, size, data, usage);
     }
+    static void APIENTRY countPart(GLenum target, GLintptr offset, GLsizeiptr size, const void* data) {
+        ++uploads;
+        bufferSubData(target, offset, size, data);
+    }
     static void APIENTRY countPicture(GLenum target, GLint level, GLint inside, GLsizei width, GLsizei height,
                                       GLint border, GLenum format, GLenum type, const void* data) {
         uploads += data != nullptr ? 1 : 0;
         texImage2d(target, level, inside, width, height, border, format, type, data);
     }
     static inline PFNGLBUFFERDATAPROC bufferData = nullptr;
+    static inline PFNGLBUFFERSUBDATAPROC bufferSubData = nullptr;
     static inline PFNGLTEXIMAGE2DPROC texImage2d = nullptr;
 
     std::unique_ptr<gl::Context> context_;
@@ -210,7 +225,7 @@ TEST_P(GlDots, GiveTheProcessorsPicture) {
         const auto plan = turnedPlan(planner, figureOf(GetParam()), degrees);
         ASSERT_TRUE(gl().laysDots(*plan));
         const Picture expected = markedPicture(*plan, *cpu);
-        const Picture drawn = markedPicture(*plan, gl());
+        const Picture drawn = cardsPicture(*plan, gl());
         EXPECT_LT(testing::rootMeanSquare(drawn, expected), 0.002) << degrees;
         EXPECT_EQ(testing::unsoundPixels(drawn), 0);
         EXPECT_GT(testing::rootMeanSquare(drawn, Picture(plan->size)), 0.01);
@@ -229,6 +244,8 @@ TEST_F(GlDotsOfAView, TurningPutsNothingOnTheCard) {
         figure.camera.projection = projection;
         const std::uint64_t before = CountingContext::uploads;
         markedPicture(*turnedPlan(planner, figure, 0), *counted);
+        EXPECT_EQ(CountingContext::uploads, before) << "for a setting that is still being moved";
+        markedPicture(*turnedPlan(planner, figure, 0), *counted);
         const std::uint64_t first = CountingContext::uploads;
         EXPECT_GT(first, before);
         for (int degrees = 1; degrees < 360; degrees += 23) {
@@ -240,7 +257,7 @@ TEST_F(GlDotsOfAView, TurningPutsNothingOnTheCard) {
         markedPicture(*turnedPlan(planner, figure, 0), *counted);
         EXPECT_EQ(CountingContext::uploads, first);
         figure.stipple->kMax *= 0.5;
-        markedPicture(*turnedPlan(planner, figure, 0), *counted);
+        cardsPicture(*turnedPlan(planner, figure, 0), *counted);
         EXPECT_GT(CountingContext::uploads, first);
     }
 }
@@ -258,7 +275,7 @@ TEST_F(GlDotsOfAView, LieWithStrokesOverAndUnderLayers) {
         Planner planner;
         const auto plan = turnedPlan(planner, figure, 20);
         ASSERT_TRUE(plan->marks->layersDrawn);
-        EXPECT_LT(testing::rootMeanSquare(markedPicture(*plan, gl()), markedPicture(*plan, *cpu)), 0.002) << order;
+        EXPECT_LT(testing::rootMeanSquare(cardsPicture(*plan, gl()), markedPicture(*plan, *cpu)), 0.002) << order;
     }
 }
 
@@ -267,6 +284,7 @@ TEST_F(GlDotsOfAView, AnyTilingGivesTheSameBits) {
     for (const double sizeMm : {0.35, 3.0}) {
         const auto plan = turnedPlan(planner, figureOf({"", [&](Figure& f) { ink(f).sizeMm = sizeMm; }}), 30);
         Task task;
+        markedPicture(*plan, gl());
         const MarkedPicture marked(*plan, gl(), task);
         const Picture whole = marked.render({{0, 0}, plan->size}, task).picture;
         for (const Tile tile : {Tile{{0, 0}, {64, 200}}, Tile{{64, 31}, {100, 90}}, Tile{{199, 0}, {1, 200}}}) {
@@ -306,22 +324,23 @@ TEST_F(GlDotsOfAView, MoreThanTheCardHoldsAreTheProcessors) {
     small->setRoom(100'000);
     Planner planner;
     const auto plan = turnedPlan(planner, figureOf({"", [](Figure&) {}}), 0);
-    EXPECT_TRUE(testing::sameBits(markedPicture(*plan, *small), markedPicture(*plan, *cpu)));
+    EXPECT_TRUE(testing::sameBits(cardsPicture(*plan, *small), markedPicture(*plan, *cpu)));
 }
 
 TEST_F(GlDotsOfAView, OutliveALostContext) {
     Planner planner;
     const auto plan = turnedPlan(planner, figureOf({"", allFactors}), 10);
-    const Picture before = markedPicture(*plan, gl());
+    const Picture before = cardsPicture(*plan, gl());
     for (int i = 0; i < 3; ++i) {
         gl().loseContext();
-        EXPECT_TRUE(testing::sameBits(markedPicture(*plan, gl()), before));
+        EXPECT_TRUE(testing::sameBits(cardsPicture(*plan, gl()), before));
     }
 }
 
 TEST_F(GlDotsOfAView, ACancelledPictureEnds) {
     Planner planner;
     const auto plan = turnedPlan(planner, figureOf({"", [](Figure&) {}}), 10);
+    markedPicture(*plan, gl());
     Task task;
     task.cancel();
     Picture picture(plan->size);
@@ -346,9 +365,10 @@ TEST(DotClouds, HoldTheDotsOfEveryView) {
             for (const VoxelInk& one : marks.ink) {
                 asked += static_cast<double>(one.dots);
             }
-            std::cout << scene.name << ' ' << double(cloud->dots.size()) / asked << '\n';
-            EXPECT_GE(static_cast<double>(cloud->dots.size()), asked) << scene.name;
-            EXPECT_LE(static_cast<double>(cloud->dots.size()), 12 * asked + 1000) << scene.name; // and not all of them
+            EXPECT_GE(static_cast<double>(cloud->dotCount()), asked) << scene.name;
+            if (scene.name == "plain") { // half look away, half of the rest by their slant; and some room to zoom
+                EXPECT_LE(static_cast<double>(cloud->dotCount()), 6 * asked);
+            }
         }
     }
 }
