@@ -99,7 +99,8 @@ bool canDrawDots(const ContextFacts& facts, const RenderPlan& plan) {
     const auto fits = [&](glm::ivec2 size, int reach) {
         return std::max(size.x, size.y) + 2 * reach <= facts.largest2d && 2 * reach + 1 <= facts.largestPoint;
     };
-    return fits(plan.size, dots) && fits(depth.size, discs) &&
+    const bool hides = stipple.hidden == "remove";
+    return fits(plan.size, dots) && (!hides || fits(depth.size, discs)) &&
            field.voxels.size() / kAcross < static_cast<std::size_t>(facts.largest2d);
 }
 
