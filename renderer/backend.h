@@ -34,6 +34,12 @@ class Backend {
     /// Several tiles one below the other in one picture as wide as the widest; what a tile does not cover is clear.
     /// A backend that prepares a plan before it draws prepares it once for all of them.
     virtual RenderResult renderTiles(const RenderPlan& plan, std::span<const Tile> tiles, Task& task) const;
+
+    /// Whether the backend draws the dots of the plan's marks itself, faster than renderer/marks does.
+    [[nodiscard]] virtual bool laysDots(const RenderPlan& /*plan*/) const { return false; }
+    /// Lays the dots of the plan's marks, and no strokes, into a rendered tile: those that renderer/marks draws. By
+    /// renderer/marks where the backend does not. Throws as `render` does.
+    virtual void layDots(const RenderPlan& plan, const Tile& tile, Picture& picture, Task& task) const;
 };
 
 /// An empty picture that several tiles fit into, one below the other.

@@ -12,6 +12,20 @@ namespace limner {
 
 namespace {
 
+/// By the processor what the card cannot draw.
+template <typename Draw>
+auto drawnByEither(const Backend& card, const Backend& processor, Task& task, const Draw& draw) {
+    try {
+        return draw(card);
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::noOpenGl && error.kind() != ErrorKind::noResources) {
+            throw;
+        }
+        task.warn("Drawn by the processor: " + error.text().what + ", " + error.text().why + ".");
+    }
+    return draw(processor);
+}
+
 /// The card, and the processor for what the card cannot draw.
 class WithFallback : public Backend {
   public:
@@ -21,15 +35,13 @@ class WithFallback : public Backend {
     [[nodiscard]] const GlBackend& card() const { return *card_; }
 
     RenderResult render(const RenderPlan& plan, const Tile& tile, Task& task) const override {
-        try {
-            return card_->render(plan, tile, task);
-        } catch (const Error& error) {
-            if (error.kind() != ErrorKind::noOpenGl && error.kind() != ErrorKind::noResources) {
-                throw;
-            }
-            task.warn("Drawn by the processor: " + error.text().what + ", " + error.text().why + ".");
-        }
-        return processor_->render(plan, tile, task);
+        return drawnByEither(*card_, *processor_, task,
+                             [&](const Backend& backend) { return backend.render(plan, tile, task); });
+    }
+    [[nodiscard]] bool laysDots(const RenderPlan& plan) const override { return card_->laysDots(plan); }
+    void layDots(const RenderPlan& plan, const Tile& tile, Picture& picture, Task& task) const override {
+        drawnByEither(*card_, *processor_, task,
+                      [&](const Backend& backend) { backend.layDots(plan, tile, picture, task); });
     }
 
   private:

@@ -222,8 +222,9 @@ class March {
             return;
         }
         counts_.shaded += hn::CountTrue(kF, shows);
-        const Floats weight = hn::NegMulAdd(opacity, alpha_, opacity);
-        alpha_ = hn::Add(alpha_, weight);
+        const Floats covered = hn::Add(alpha_, hn::NegMulAdd(opacity, alpha_, opacity));
+        const Floats weight = hn::Sub(covered, alpha_); // as for samples at a point
+        alpha_ = covered;
         // Where the slab begins, on or off the outermost voxels: its place in the slab is counted from there.
         const Vec3 front = {hn::MulAdd(ray_->step.x, part.begin, ray_->start.x),
                             hn::MulAdd(ray_->step.y, part.begin, ray_->start.y),

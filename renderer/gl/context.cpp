@@ -56,6 +56,9 @@ ContextFacts factsOf(const Context& context, const Functions& gl) {
     facts.largest2d = limit(gl, GL_MAX_TEXTURE_SIZE);
     facts.largestTable = limit(gl, GL_MAX_TEXTURE_BUFFER_SIZE);
     facts.textureUnits = limit(gl, GL_MAX_TEXTURE_IMAGE_UNITS);
+    GLint points[2] = {};
+    gl.GetIntegerv(GL_POINT_SIZE_RANGE, points);
+    facts.largestPoint = points[1];
     facts.software = isSoftware(facts.renderer);
     return facts;
 }

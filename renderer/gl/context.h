@@ -34,6 +34,7 @@ struct ContextFacts {
     int largest2d = 0;     ///< pixels
     int largestTable = 0;  ///< entries of a buffer texture
     int textureUnits = 0;  ///< of a fragment shader
+    int largestPoint = 0;  ///< pixels
     bool software = false; ///< drawn by the processor: llvmpipe, softpipe, swrast
 };
 

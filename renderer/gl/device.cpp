@@ -61,7 +61,7 @@ Device::Device(std::unique_ptr<Context> context) : context_(std::move(context)) 
 Device::~Device() {
     gl_.lost = gl_.lost || !context_->makeCurrent();
     programs_.clear();
-    textures_.clear();
+    residents_.clear();
     context_->release();
 }
 
@@ -84,35 +84,45 @@ Program& Device::program(const ProgramSource& vertex, const ProgramSource& fragm
 
 GLuint Device::texture(const std::shared_ptr<const void>& source, const std::string& part, std::uint64_t bytes,
                        const std::function<void(Texture&)>& upload) {
+    return resident(source, part, bytes, [&](Resident& made) { upload(made.texture); }).texture.id();
+}
+
+GLuint Device::buffer(const std::shared_ptr<const void>& source, const std::string& part, std::uint64_t bytes,
+                      const std::function<void(Buffer&)>& upload) {
+    return resident(source, part, bytes, [&](Resident& made) { upload(made.buffer); }).buffer.id();
+}
+
+Device::Resident& Device::resident(const std::shared_ptr<const void>& source, const std::string& part,
+                                   std::uint64_t bytes, const std::function<void(Resident&)>& upload) {
     const Key key{source.get(), part};
-    auto found = textures_.find(key);
-    if (found != textures_.end() && found->second.source.expired()) { // another thing at the same address
+    auto found = residents_.find(key);
+    if (found != residents_.end() && found->second.source.expired()) { // another thing at the same address
         drop(found);
-        found = textures_.end();
+        found = residents_.end();
     }
-    if (found == textures_.end()) {
+    if (found == residents_.end()) {
         makeRoom(bytes);
-        Resident made{source, Texture(), bytes, 0};
-        upload(made.texture);
+        Resident made{source, Texture(), Buffer(), bytes, 0};
+        upload(made);
         check("to put data on the card");
         used_ += bytes;
-        found = textures_.emplace(key, std::move(made)).first;
+        found = residents_.emplace(key, std::move(made)).first;
     }
     found->second.lastUse = ++uses_;
-    return found->second.texture.id();
+    return found->second;
 }
 
 void Device::makeRoom(std::uint64_t bytes) {
-    for (auto at = textures_.begin(); at != textures_.end();) {
+    for (auto at = residents_.begin(); at != residents_.end();) {
         const auto next = std::next(at);
         if (at->second.source.expired()) {
             drop(at);
         }
         at = next;
     }
-    while (!textures_.empty() && used_ + bytes > room_) {
-        auto oldest = textures_.begin();
-        for (auto at = textures_.begin(); at != textures_.end(); ++at) {
+    while (!residents_.empty() && used_ + bytes > room_) {
+        auto oldest = residents_.begin();
+        for (auto at = residents_.begin(); at != residents_.end(); ++at) {
             oldest = at->second.lastUse < oldest->second.lastUse ? at : oldest;
         }
         drop(oldest);
@@ -121,7 +131,7 @@ void Device::makeRoom(std::uint64_t bytes) {
 
 void Device::drop(std::map<Key, Resident>::iterator which) {
     used_ -= which->second.bytes;
-    textures_.erase(which);
+    residents_.erase(which);
 }
 
 void Device::useSpareUnit() const { gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(facts_.textureUnits) - 1); }

@@ -50,7 +50,10 @@ class Device {
     /// yet. `part`: which of several textures of it. Kept while `source` lives and there is room.
     GLuint texture(const std::shared_ptr<const void>& source, const std::string& part, std::uint64_t bytes,
                    const std::function<void(Texture&)>& upload);
-    /// Bytes that textures may take; what was used longest ago goes first.
+    /// The same of a buffer.
+    GLuint buffer(const std::shared_ptr<const void>& source, const std::string& part, std::uint64_t bytes,
+                  const std::function<void(Buffer&)>& upload);
+    /// Bytes that these may take; what was used longest ago goes first.
     void setRoom(std::uint64_t bytes) { room_ = bytes; }
     [[nodiscard]] std::uint64_t room() const { return room_; }
     [[nodiscard]] std::uint64_t used() const { return used_; }
@@ -68,11 +71,14 @@ class Device {
   private:
     struct Resident {
         std::weak_ptr<const void> source;
-        Texture texture;
+        Texture texture; ///< one of the two
+        Buffer buffer;
         std::uint64_t bytes = 0;
         std::uint64_t lastUse = 0;
     };
     using Key = std::pair<const void*, std::string>;
+    Resident& resident(const std::shared_ptr<const void>& source, const std::string& part, std::uint64_t bytes,
+                       const std::function<void(Resident&)>& upload);
     void makeRoom(std::uint64_t bytes);
     void drop(std::map<Key, Resident>::iterator which);
 
@@ -81,7 +87,7 @@ class Device {
     Functions gl_;
     ContextFacts facts_;
     std::map<std::string, std::unique_ptr<Program>> programs_;
-    std::map<Key, Resident> textures_;
+    std::map<Key, Resident> residents_;
     std::uint64_t room_ = 0;
     std::uint64_t used_ = 0;
     std::uint64_t uses_ = 0;

@@ -18,8 +18,10 @@ using FindFunction = std::function<void*(const char*)>;
     X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)                                                                       \
     X(PFNGLBINDTEXTUREPROC, BindTexture)                                                                               \
     X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                                                                       \
+    X(PFNGLBLENDEQUATIONPROC, BlendEquation)                                                                           \
     X(PFNGLBLENDFUNCPROC, BlendFunc)                                                                                   \
     X(PFNGLBUFFERDATAPROC, BufferData)                                                                                 \
+    X(PFNGLBUFFERSUBDATAPROC, BufferSubData)                                                                           \
     X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)                                                         \
     X(PFNGLCLEARBUFFERFVPROC, ClearBufferfv)                                                                           \
     X(PFNGLCOMPILESHADERPROC, CompileShader)                                                                           \

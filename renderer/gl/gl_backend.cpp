@@ -2,8 +2,13 @@
 
 #include "core/base/error.h"
 #include "renderer/gl/casting.h"
+#include "renderer/gl/dots.h"
+#include "renderer/marks/draw_marks.h"
+#include "renderer/marks/ink.h"
+#include "renderer/marks/lay_marks.h"
 
 #include <mutex>
+#include <optional>
 
 namespace limner {
 
@@ -38,6 +43,34 @@ class ContextBackend : public GlBackend {
     }
 
     RenderResult render(const RenderPlan& plan, const Tile& tile, Task& task) const override {
+        RenderResult result;
+        withDevice([&] { result = gl::castTile(*device_, memory_->casting, plan, tile, task); });
+        return result;
+    }
+
+    [[nodiscard]] bool laysDots(const RenderPlan& plan) const override { return gl::canDrawDots(facts_, plan); }
+    void layDots(const RenderPlan& plan, const Tile& tile, Picture& picture, Task& task) const override {
+        std::optional<std::vector<float>> through;
+        if (laysDots(plan)) {
+            withDevice([&] { through = gl::DotDrawing(*device_, memory_->dots, plan, task).drawTile(tile); });
+        }
+        if (!through) {
+            return Backend::layDots(plan, tile, picture, task); // more than the card holds
+        }
+        layInk(*through, plainInk(*plan.figure->stipple), orderOf(*plan.figure->stipple), picture);
+    }
+    [[nodiscard]] std::vector<Dot> dotsOf(const RenderPlan& plan, Task& task) const override {
+        std::vector<Dot> dots;
+        if (laysDots(plan)) {
+            withDevice([&] { dots = gl::DotDrawing(*device_, memory_->dots, plan, task).list(); });
+        }
+        return dots;
+    }
+
+  private:
+    /// Draws with a device that is current, again with a new one where it was lost.
+    template <typename Draw>
+    void withDevice(const Draw& draw) const {
         const std::lock_guard lock(mutex_);
         constexpr int kAttempts = 3; // a card that is reset by this very picture must not be asked for ever
         for (int attempt = 1;; ++attempt) {
@@ -46,12 +79,12 @@ class ContextBackend : public GlBackend {
                 open();
             }
             try {
-                RenderResult result = gl::castTile(*device_, *memory_, plan, tile, task);
+                draw();
                 const bool lost = device_->isLost();
                 keepComplaints();
                 if (!lost) {
                     device_->release();
-                    return result;
+                    return;
                 }
             } catch (...) {
                 const bool lost = device_->isLost();
@@ -68,11 +101,10 @@ class ContextBackend : public GlBackend {
         }
     }
 
-  private:
     void open() const {
         device_ = std::make_unique<gl::Device>(contexts_());
         kept_ = 0;
-        memory_ = std::make_unique<gl::CastingMemory>();
+        memory_ = std::make_unique<Memory>();
         if (room_ > 0) {
             device_->setRoom(room_);
         }
@@ -94,7 +126,11 @@ class ContextBackend : public GlBackend {
     std::uint64_t room_ = 0;
     mutable std::mutex mutex_;
     mutable std::unique_ptr<gl::Device> device_;
-    mutable std::unique_ptr<gl::CastingMemory> memory_; // goes before its device
+    struct Memory {
+        gl::CastingMemory casting;
+        gl::DotMemory dots;
+    };
+    mutable std::unique_ptr<Memory> memory_; // goes before its device
     mutable std::vector<std::string> complaints_;
     mutable std::ptrdiff_t kept_ = 0;
 };

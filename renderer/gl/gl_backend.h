@@ -2,6 +2,7 @@
 
 #include "renderer/backend.h"
 #include "renderer/gl/context.h"
+#include "renderer/marks/marks.h"
 
 #include <cstdint>
 #include <memory>
@@ -22,6 +23,8 @@ class GlBackend : public Backend {
     [[nodiscard]] virtual std::vector<std::string> complaints() const = 0;
     /// Bytes that textures may take on the card, instead of what the card seems to have; volumes beyond come in parts.
     virtual void setRoom(std::uint64_t bytes) = 0;
+    /// The dots that `layDots` lays, in no order, their colour left out.
+    [[nodiscard]] virtual std::vector<Dot> dotsOf(const RenderPlan& plan, Task& task) const = 0;
 };
 
 /// Opens the first context at once. Throws Error(noOpenGl) where none opens.

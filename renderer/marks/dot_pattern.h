@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace limner {
@@ -43,6 +44,9 @@ class DotPattern {
     [[nodiscard]] double coverage(double density) const;
     /// The density that covers that share, at most `kMostDensity`.
     [[nodiscard]] double densityFor(double coverage) const;
+
+    /// What `coverage` and `densityFor` interpolate: over densities from 0 to kMostDensity, at even steps.
+    [[nodiscard]] std::span<const float> coverageTable() const { return coverage_; }
 
     static constexpr double kMostDensity = 3; ///< covers all but some thousandths
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 namespace limner {
@@ -11,6 +12,7 @@ class DotStencils {
     static constexpr int kEdge = 4;
     static constexpr float kLargestRadius = 1.5F; ///< pixels: still inside 4 x 4 wherever it lies
     static constexpr int kPhases = 16;            ///< of a pixel, each way
+    static constexpr int kSizes = 24;
     using Stencil = std::array<float, kEdge * kEdge>;
 
     static const DotStencils& instance();
@@ -20,6 +22,8 @@ class DotStencils {
     [[nodiscard]] const Stencil& at(float radius, int phaseX, int phaseY) const {
         return stencils_[static_cast<std::size_t>((sizeOf(radius) * kPhases + phaseY) * kPhases + phaseX)];
     }
+    /// By size, then by the phase down, then by the phase across.
+    [[nodiscard]] std::span<const Stencil> all() const { return stencils_; }
     [[nodiscard]] static float scaleOf(float radius) {
         const float ratio = radius * kSizesPerPixel / static_cast<float>(sizeOf(radius) + 1);
         return ratio * ratio;
@@ -27,7 +31,6 @@ class DotStencils {
 
   private:
     static constexpr int kSizesPerPixel = 16;
-    static constexpr int kSizes = 24;
 
     DotStencils();
     [[nodiscard]] static int sizeOf(float radius) {

@@ -1,6 +1,6 @@
 #include "renderer/marks/dot_pattern.h"
 #include "renderer/marks/ink.h"
-#include "renderer/marks/mixed_bits.h"
+#include "renderer/marks/volume_dots.h"
 
 #include <glm/geometric.hpp>
 
@@ -14,25 +14,14 @@ namespace limner {
 namespace {
 
 constexpr std::size_t kChunk = 16384; ///< voxels that one task draws
-/// A drawing is of dots, not of greys: most of them are whole.
-constexpr float kFadingPart = 0.3F;
-/// |n.e| at which a dot on the edge of a form is whole: none comes or goes all at once as the form turns.
-constexpr float kWholeFacing = 0.03F;
-constexpr float kFaintest = 0.02F; ///< opacity that nobody sees
 
-/// A voxel's points: those of the pattern over the face of the voxel that its surface crosses most squarely, laid on
-/// the tangent plane. Neighbours share the plane's pattern, so that there is no seam between them.
+/// The voxels' points, laid on their tangent planes.
 class VolumeDots {
   public:
-    explicit VolumeDots(const MarkScene& scene) : scene_(scene), field_(scene.field) {
-        const double dot = largestDotArea(scene.stipple);
-        const double scale = field_.paperPerMm * field_.zoom * kZoomHeadroom;
-        const double densest = DotPattern::kMostDensity / static_cast<double>(kSmallestDot * kSmallestDot);
-        capacity_ = field_.mmPerVoxel * field_.mmPerVoxel * scale * scale / dot * densest;
-        edge_ = std::sqrt(capacity_);
+    explicit VolumeDots(const MarkScene& scene)
+        : scene_(scene), field_(scene.field), points_(scene.field, scene.stipple) {
         fading_ = scene.moving || scene.stipple.placing == "volume";
         linear_ = scene.view.linear();
-        spreadMm_ = static_cast<float>(scene.stipple.spreadVoxels * field_.mmPerVoxel);
         clipped_ = scene.plan.clip.boxMm || !scene.plan.clip.planes.empty();
     }
 
@@ -42,28 +31,19 @@ class VolumeDots {
         if (!(ink.dots > 0)) {
             return;
         }
-        const auto end = static_cast<float>(static_cast<double>(ink.dots) / capacity_);
+        const auto end = static_cast<float>(static_cast<double>(ink.dots) / points_.capacity());
         const Frame frame = frameOf(voxel);
-        // A dot fades over the last unit of N, or over a part of a smaller N: the mean ink stays N.
-        const float fade = fading_ ? std::min(1 / static_cast<float>(capacity_), kFadingPart * end) : 0.0F;
-        const auto perEdge = static_cast<float>(1 / edge_);
+        const float fade = fading_ ? std::min(1 / static_cast<float>(points_.capacity()), kFadingPart * end) : 0.0F;
         const float edge = std::min(ink.facing / kWholeFacing, 1.0F);
-        const glm::dvec2 low(frame.cell.x * edge_ + frame.offset.x, frame.cell.y * edge_ + frame.offset.y);
-        dotPattern().forEachIn(
-            low, low + edge_, end + 0.5F * fade, [&](const glm::vec2& place, float rank, std::uint32_t number) {
-                const float shown = fade > 0 ? edge * std::min((end - rank) / fade + 0.5F, 1.0F) : 1.0F;
-                const glm::vec2 f = place * perEdge - 0.5F;
-                addDot(i, frame, f, number, shown, dots);
-            });
+        points_.forEachOf(voxel, frame.face, end + 0.5F * fade, [&](const FacePoint& point) {
+            const float shown = fade > 0 ? edge * std::min((end - point.rank) / fade + 0.5F, 1.0F) : 1.0F;
+            addDot(i, frame, point, shown, dots);
+        });
     }
 
   private:
-    static constexpr double kZoomHeadroom = 1.5; ///< a field serves views up to the square root of 2 nearer
-
     struct Frame {
-        glm::dvec2 cell{0};
-        glm::dvec2 offset{0}; ///< of the plane's pattern
-        glm::dvec3 middleMm{0};
+        MarkFace face;
         glm::dmat3 acrossMm{0}; ///< columns: the face's edges, a mm of the normal
         PlaceOnPaper middle;    ///< on paper
         glm::mat3 paper{0};     ///< columns: what these steps change on paper (mm right, mm down, depth), parallel rays
@@ -71,14 +51,9 @@ class VolumeDots {
 
     [[nodiscard]] Frame frameOf(const MarkVoxel& voxel) const {
         Frame frame;
-        const MarkFace face = field_.faceOf(voxel);
-        frame.acrossMm = glm::dmat3(face.edgeMm[0], face.edgeMm[1], glm::dvec3(voxel.normalMm));
-        frame.cell = {static_cast<double>(voxel.cell[face.across[0]]), static_cast<double>(voxel.cell[face.across[1]])};
-        // A body's front and back have patterns of their own: they may lie behind one another.
-        const auto side = static_cast<std::uint32_t>(2 * face.axis + (face.rising ? 1 : 0));
-        frame.offset = DotPattern::offsetOf(mixedBits(seedBits(scene_.stipple) + side));
-        frame.middleMm = face.middleMm;
-        frame.middle = scene_.view.place(frame.middleMm);
+        frame.face = field_.faceOf(voxel);
+        frame.acrossMm = glm::dmat3(frame.face.edgeMm[0], frame.face.edgeMm[1], glm::dvec3(voxel.normalMm));
+        frame.middle = scene_.view.place(frame.face.middleMm);
         if (scene_.view.linear()) {
             const float scale = frame.middle.scale;
             for (int k = 0; k < 3; ++k) {
@@ -93,11 +68,9 @@ class VolumeDots {
         return {frame.middle.mm + glm::vec2(moved), frame.middle.depthMm + moved.z, frame.middle.scale};
     }
 
-    void addDot(std::size_t i, const Frame& frame, const glm::vec2& f, std::uint32_t number, float shown,
-                std::vector<Dot>& dots) const {
-        const float jitter = static_cast<float>(number >> 16) * 0x1p-15F - 1;
-        const glm::vec3 step(f.x, f.y, jitter * spreadMm_);
-        const auto inSpace = [&] { return frame.middleMm + frame.acrossMm * glm::dvec3(step); };
+    void addDot(std::size_t i, const Frame& frame, const FacePoint& point, float shown, std::vector<Dot>& dots) const {
+        const glm::vec3 step(point.onFace.x, point.onFace.y, point.chance() * points_.spreadMm());
+        const auto inSpace = [&] { return frame.face.middleMm + frame.acrossMm * glm::dvec3(step); };
         if (clipped_ && !scene_.view.kept(inSpace())) {
             return;
         }
@@ -113,12 +86,10 @@ class VolumeDots {
 
     const MarkScene& scene_;
     const MarkField& field_;
-    double capacity_ = 1; ///< points of a voxel's face in the pattern
-    double edge_ = 1;     ///< of the face in the pattern's plane
+    FacePoints points_;
     bool fading_ = false;
     bool clipped_ = false;
     bool linear_ = true; ///< the view's rays are parallel
-    float spreadMm_ = 0; ///< of dots before and behind the surface
 };
 
 } // namespace

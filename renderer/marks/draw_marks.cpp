@@ -59,27 +59,38 @@ std::size_t Marks::strokeCount() const {
     return count;
 }
 
-Marks drawMarks(const RenderPlan& plan, Task& task) {
+MarkOrder orderOf(const Stipple& stipple) {
+    return stipple.layerOpacity == "over" ? MarkOrder::overLayers : MarkOrder::underLayers;
+}
+
+Marks drawMarks(const RenderPlan& plan, Task& task, const MarkKinds& kinds) {
     Marks marks;
     marks.paperMm = {plan.figure->output.widthMm, plan.figure->output.heightMm};
     if (!plan.marks) {
         return marks;
     }
     const Stipple& stipple = *plan.figure->stipple;
-    marks.order = stipple.layerOpacity == "over" ? MarkOrder::overLayers : MarkOrder::underLayers;
+    marks.order = orderOf(stipple);
     marks.layersDrawn = plan.marks->layersDrawn;
     for (const std::string& warning : plan.marks->field->warnings) {
         task.warn(warning);
     }
+    const bool dots = kinds.dots && stipple.kMax > 0 && stipple.sizeMm > 0;
+    const bool strokes = kinds.strokes && (stipple.hatching || stipple.curves || plan.marks->innerLines);
+    if (!dots && !strokes) {
+        return marks;
+    }
     const MarkScene scene = makeMarkScene(plan, *plan.marks->field, plan.marks->moving, task);
-    if (stipple.kMax > 0 && stipple.sizeMm > 0) {
+    if (dots) {
         if (scene.moving || stipple.placing == "volume") {
             addDotsOnVolume(scene, marks, task);
         } else {
             addDotsOnPaper(scene, marks, task);
         }
     }
-    addLines(scene, *plan.marks, marks, task);
+    if (strokes) {
+        addLines(scene, *plan.marks, marks, task);
+    }
     return marks;
 }
 

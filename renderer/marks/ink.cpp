@@ -19,11 +19,6 @@ namespace limner {
 namespace {
 
 constexpr double kMostPoints = 5e7; ///< in all lists together (numerics 2e)
-/// Opacity of layers from which there are marks, and from which marks are whole: what hardly shows is not drawn.
-constexpr float kFaintMatter = 0.2F;
-constexpr float kFullMatter = 0.6F;
-/// A tone of 1 would ask for dots without end.
-constexpr double kFullestTone = 0.985;
 
 InkColour inkOf(const glm::dvec3& rgb) { return InkColour(glm::clamp(rgb, 0.0, 1.0) * 255.0 + 0.5); }
 
@@ -36,16 +31,8 @@ double halfDepth(const Grid& grid, const glm::dvec3& direction) {
 /// The factors of a figure's stipples in one view.
 class Factors {
   public:
-    Factors(const RenderPlan& plan, const MarkField& field, const MarkView& view)
-        : stipple_(*plan.figure->stipple), ofLayers_(stipple_.matter == "layers"),
-          wholeScale_(static_cast<float>(field.paperPerMm)),
-          halfDepth_(static_cast<float>(halfDepth(plan.volume->grid(), view.frame().forward))),
-          centreDepth_(view.place(plan.volume->grid().centreMm()).depthMm),
-          idle_(plan.kept.has(LeaveOut::dotFactors) ? IdleFactors{} : idleFactors(stipple_)) {
-        if (stipple_.lighting) {
-            light_ = glm::vec3(lightSeen(stipple_.lighting->light, plan.figure->camera));
-        }
-    }
+    Factors(const Stipple& stipple, const InkView& view)
+        : stipple_(stipple), view_(view), ofLayers_(stipple.matter == "layers") {}
 
     struct Result {
         float tone = 1;
@@ -69,21 +56,21 @@ class Factors {
             result.tone *= optics::silhouetteFactor<float>(voxel.value, cosineEye, curve(k->ksc, k->kss, k->kse));
         }
         if (const auto& k = stipple_.resolution) {
-            addResolution(at.scale / wholeScale_, static_cast<float>(k->kre), result);
+            addResolution(at.scale / view_.wholeScale, static_cast<float>(k->kre), result);
         }
-        if (const auto& k = stipple_.distance; k && !idle_.distance) {
-            const auto factor =
-                optics::distanceFactor<float>(at.depthMm - centreDepth_, halfDepth_, static_cast<float>(k->kde));
+        if (const auto& k = stipple_.distance; k && !view_.idle.distance) {
+            const auto factor = optics::distanceFactor<float>(at.depthMm - view_.centreDepth, view_.halfDepth,
+                                                              static_cast<float>(k->kde));
             result.tone *= factor;
             result.size *= factor;
         }
-        if (const auto& k = stipple_.interior; k && !idle_.interior) {
+        if (const auto& k = stipple_.interior; k && !view_.idle.interior) {
             const auto factor = optics::interiorFactor<float>(voxel.gradient, static_cast<float>(k->kte));
             result.tone *= factor;
             result.size *= factor;
         }
         if (const auto& k = stipple_.lighting) {
-            result.tone *= optics::lightingFactor<float>(glm::dot(light_, seen), static_cast<float>(k->kle));
+            result.tone *= optics::lightingFactor<float>(glm::dot(view_.light, seen), static_cast<float>(k->kle));
         }
         return result;
     }
@@ -103,12 +90,8 @@ class Factors {
     }
 
     const Stipple& stipple_;
+    const InkView& view_;
     bool ofLayers_;
-    float wholeScale_;
-    float halfDepth_;
-    float centreDepth_;
-    IdleFactors idle_;
-    glm::vec3 light_{0};
 };
 
 /// Expected dots of voxels that ask for full tone and face the viewer: k_max N_max (paper 004, eq. 1).
@@ -196,22 +179,37 @@ IdleFactors idleFactors(const Stipple& stipple) {
             stipple.interior && !(std::abs(stipple.interior->kte) > 0)};
 }
 
+InkView inkView(const RenderPlan& plan, const MarkField& field, const MarkView& view, Task& task) {
+    const Stipple& stipple = *plan.figure->stipple;
+    InkView ink;
+    ink.wholeScale = static_cast<float>(field.paperPerMm);
+    ink.halfDepth = static_cast<float>(halfDepth(plan.volume->grid(), view.frame().forward));
+    ink.centreDepth = view.place(plan.volume->grid().centreMm()).depthMm;
+    if (stipple.lighting) {
+        ink.light = glm::vec3(lightSeen(stipple.lighting->light, plan.figure->camera));
+    }
+    ink.idle = plan.kept.has(LeaveOut::dotFactors) ? IdleFactors{} : idleFactors(stipple);
+    ink.density = densityOfFigure(plan, field, task);
+    ink.perFace = field.mmPerVoxel * field.mmPerVoxel / std::max(largestDotArea(stipple), 1e-12);
+    ink.facingOnly = stipple.hidden == "remove" || stipple.lighting.has_value(); // paper 004, 5.5
+    return ink;
+}
+
+InkColour plainInk(const Stipple& stipple) { return inkOf(stipple.inkRgb); }
+
 double largestDotArea(const Stipple& stipple) { return 0.25 * std::numbers::pi * stipple.sizeMm * stipple.sizeMm; }
 
 MarkScene makeMarkScene(const RenderPlan& plan, const MarkField& field, bool moving, Task& task) {
     const Stipple& stipple = *plan.figure->stipple;
-    MarkScene scene{plan, stipple, field, MarkView(plan), {}, {}, {}, moving, inkOf(stipple.inkRgb)};
-    const bool hides = stipple.hidden == "remove";
-    if (hides) {
+    MarkScene scene{plan, stipple, field, MarkView(plan), {}, {}, {}, moving, plainInk(stipple)};
+    if (stipple.hidden == "remove") {
         scene.depth = MarkDepth(field, scene.view, stipple.matter == "layers");
     }
-    const Factors factors(plan, field, scene.view);
-    const DotLaw law{dotPattern(), stipple, densityOfFigure(plan, field, task)};
-    const double dot = std::max(largestDotArea(stipple), 1e-12);
-    const double cell = field.mmPerVoxel * field.mmPerVoxel;
+    const InkView view = inkView(plan, field, scene.view, task);
+    const Factors factors(stipple, view);
+    const DotLaw law{dotPattern(), stipple, view.density};
     scene.ink.resize(field.voxels.size());
     scene.colours.resize(stipple.fromStyle ? field.voxels.size() : 0);
-    const bool facingOnly = hides || stipple.lighting.has_value(); // paper 004, 5.5
     tbb::parallel_for(std::size_t{0}, field.voxels.size(), [&](std::size_t i) {
         const MarkVoxel& voxel = field.voxels[i];
         VoxelInk& ink = scene.ink[i];
@@ -220,7 +218,7 @@ MarkScene makeMarkScene(const RenderPlan& plan, const MarkField& field, bool mov
         }
         const glm::dvec3 mm = field.placeMm(voxel);
         const float cosine = glm::dot(voxel.normalMm, scene.view.towardsEye(mm));
-        if (facingOnly && cosine <= 0) {
+        if (view.facingOnly && cosine <= 0) {
             return;
         }
         ink.facing = std::abs(cosine);
@@ -231,7 +229,7 @@ MarkScene makeMarkScene(const RenderPlan& plan, const MarkField& field, bool mov
         // From nearer than all of the volume shows, dots keep their distance on paper; from farther the volume keeps
         // its dots, and the resolution factor thins them (paper 004, 5.2).
         const double scale = std::max(static_cast<double>(ink.at.scale), field.paperPerMm);
-        const double points = static_cast<double>(voxel.share * ink.facing) * cell * scale * scale / dot;
+        const double points = static_cast<double>(voxel.share * ink.facing) * view.perFace * scale * scale;
         law.apply(factors.of(voxel, ink.at, scene.view.seen(voxel.normalMm), cosine), points, ink);
         if (stipple.fromStyle && ink.tone > 0) {
             scene.colours[i] = colourAt(plan, field, scene.view, voxel);

@@ -42,6 +42,29 @@ struct MarkScene {
 /// Everything but the marks themselves. `field`, `plan` and the figure in it outlive the scene.
 MarkScene makeMarkScene(const RenderPlan& plan, const MarkField& field, bool moving, Task& task);
 
+/// What the dots of all voxels have in common in one view.
+struct InkView {
+    float wholeScale = 1;  ///< mm on paper per mm of the volume from where all of it just shows
+    float halfDepth = 0;   ///< of the volume along the view, mm
+    float centreDepth = 0; ///< of the volume's middle
+    glm::vec3 light{0};    ///< as the viewer sees it; 0: the figure's dots are not lit
+    double density =
+        0; ///< dots of a surface that faces the viewer and asks for full tone, by their areas: k_max, or less
+    double perFace = 0; ///< dots' areas in a voxel's face, were a mm of it one on paper
+    bool facingOnly = true;
+    IdleFactors idle;
+};
+InkView inkView(const RenderPlan& plan, const MarkField& field, const MarkView& view, Task& task);
+
+/// Opacity of layers from which there are marks, and from which marks are whole: what hardly shows is not drawn.
+inline constexpr float kFaintMatter = 0.2F;
+inline constexpr float kFullMatter = 0.6F;
+/// A tone of 1 would ask for dots without end.
+inline constexpr double kFullestTone = 0.985;
+
+/// The colour of ink that has one.
+InkColour plainInk(const Stipple& stipple);
+
 /// Area of the largest dot, mm^2 of paper.
 double largestDotArea(const Stipple& stipple);
 

@@ -26,19 +26,21 @@ Premultiplied colourOf(const ColourPixel& pixel, const InkColour& /*rgb*/) {
     return {{pixel.rgba[0], pixel.rgba[1], pixel.rgba[2], pixel.rgba[3]}};
 }
 
+void compose(const Premultiplied& mark, MarkOrder order, float* to) {
+    const bool under = order == MarkOrder::underLayers;
+    const float share = 1 - (under ? to[3] : mark.rgba[3]);
+    for (int i = 0; i < 4; ++i)
+        to[i] = under ? to[i] + share * mark.rgba[i] : mark.rgba[i] + share * to[i];
+}
+
 template <typename Pixel>
 void compose(BandCanvas<Pixel>& canvas, const Marks& marks, const InkColour& rgb, const Tile& tile, Picture& picture) {
     const Tile& band = canvas.band();
     for (int y = 0; y < band.size.y; ++y) {
         const Pixel* from = canvas.at(band.origin.x, band.origin.y + y);
         float* to = picture.pixel(0, band.origin.y - tile.origin.y + y);
-        for (int x = 0; x < band.size.x; ++x, to += 4) {
-            const Premultiplied mark = colourOf(from[x], rgb);
-            const float share = 1 - (marks.order == MarkOrder::underLayers ? to[3] : mark.rgba[3]);
-            for (int i = 0; i < 4; ++i)
-                to[i] =
-                    marks.order == MarkOrder::underLayers ? to[i] + share * mark.rgba[i] : mark.rgba[i] + share * to[i];
-        }
+        for (int x = 0; x < band.size.x; ++x, to += 4)
+            compose(colourOf(from[x], rgb), marks.order, to);
     }
 }
 
@@ -138,6 +140,17 @@ void layMarks(const Marks& marks, glm::ivec2 size, const Tile& tile, Picture& pi
         MarkLayer<InkPixel, DotSplat>(marks, ink, *bins, tile, picture).lay();
     else
         MarkLayer<ColourPixel, ColourDotSplat>(marks, ink, sortColours(marks, size, tile), tile, picture).lay();
+}
+
+void layInk(std::span<const float> through, const InkColour& ink, MarkOrder order, Picture& picture) {
+    const int width = picture.size().x;
+    tbb::parallel_for(0, picture.size().y, [&](int y) {
+        const float* from = through.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
+        float* to = picture.pixel(0, y);
+        for (int x = 0; x < width; ++x, to += 4)
+            if (from[x] < 1)
+                compose(colourOf(InkPixel{from[x]}, ink), order, to);
+    });
 }
 
 } // namespace limner

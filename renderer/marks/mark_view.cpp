@@ -27,8 +27,6 @@ constexpr float kDiscVoxels = 1;
 constexpr float kToleranceVoxels = 1.5F;
 /// Half the diagonal of a face in the tangent plane, and the way onto the surface.
 constexpr double kReachVoxels = 2.2;
-constexpr float kSlantTolerance = 0.4F;
-constexpr float kLeastFacing = 0.1F;
 constexpr float kFarCells = 32768; ///< more than the grid has; whole numbers up to here keep half a bit of a cell
 
 /// Floats as whole numbers in the same order, so that the nearest can be kept without a lock.
@@ -94,21 +92,28 @@ bool MarkView::kept(const glm::dvec3& p) const {
                         [&](const ClipPlane& plane) { return glm::dot(plane.normal, p) > plane.offsetMm; });
 }
 
-MarkDepth::MarkDepth(const MarkField& field, const MarkView& view, bool matterOfLayers)
-    : toleranceMm_(static_cast<float>(kToleranceVoxels * field.mmPerVoxel)),
-      reachMm_(static_cast<float>(kReachVoxels * field.mmPerVoxel)) {
+MarkDepth::Shape MarkDepth::shapeOf(const MarkField& field, const MarkView& view, bool matterOfLayers) {
     const glm::dvec2 paper = view.paperMm();
-    cellMm_ = std::max(0.5 * field.mmPerVoxel * view.scale(), std::sqrt(paper.x * paper.y / kMostDepthCells));
-    size_ = glm::max(glm::ivec2(glm::ceil(paper / cellMm_)), glm::ivec2(1));
-    std::vector<std::uint32_t> near(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y), kNothing);
-    const float least = matterOfLayers ? kLeastOpacity : kLeastData;
+    Shape shape;
+    shape.cellMm = std::max(0.5 * field.mmPerVoxel * view.scale(), std::sqrt(paper.x * paper.y / kMostDepthCells));
+    shape.size = glm::max(glm::ivec2(glm::ceil(paper / shape.cellMm)), glm::ivec2(1));
+    shape.toleranceMm = static_cast<float>(kToleranceVoxels * field.mmPerVoxel);
+    shape.discMm = kDiscVoxels * static_cast<float>(field.mmPerVoxel);
+    shape.least = matterOfLayers ? kLeastOpacity : kLeastData;
+    return shape;
+}
+
+MarkDepth::MarkDepth(const MarkField& field, const MarkView& view, bool matterOfLayers)
+    : shape_(shapeOf(field, view, matterOfLayers)), reachMm_(static_cast<float>(kReachVoxels * field.mmPerVoxel)) {
+    std::vector<std::uint32_t> near(static_cast<std::size_t>(shape_.size.x) * static_cast<std::size_t>(shape_.size.y),
+                                    kNothing);
     // The back of matter hides nothing that its front does not.
     const auto facesViewer = [&](const MarkVoxel& voxel) {
         return glm::dot(voxel.normalMm, view.towardsEye(field.placeMm(voxel))) > 0;
     };
     tbb::parallel_for(std::size_t{0}, field.voxels.size(), [&](std::size_t i) {
         const MarkVoxel& voxel = field.voxels[i];
-        if (voxel.value >= least && voxel.share > 0 && facesViewer(voxel)) {
+        if (voxel.value >= shape_.least && voxel.share > 0 && facesViewer(voxel)) {
             addDisc(field, view, voxel, near);
         }
     });
@@ -130,21 +135,21 @@ void MarkDepth::addDisc(const MarkField& field, const MarkView& view, const Mark
     }
     const glm::vec3 n = view.seen(voxel.normalMm);
     const float facing = std::max(std::abs(n.z), 0.05F);
-    const float radiusMm = kDiscVoxels * static_cast<float>(field.mmPerVoxel);
-    const auto cell = static_cast<float>(cellMm_);
+    const float radiusMm = shape_.discMm;
+    const auto cell = static_cast<float>(shape_.cellMm);
     const float reach = radiusMm * at.scale / cell;
     const glm::vec2 middle = at.mm / cell;
     const auto low = glm::max(glm::ivec2(glm::ceil(middle - reach - 0.5F)), glm::ivec2(0));
-    const auto high = glm::min(glm::ivec2(glm::floor(middle + reach - 0.5F)), size_ - 1);
+    const auto high = glm::min(glm::ivec2(glm::floor(middle + reach - 0.5F)), shape_.size - 1);
     for (int y = low.y; y <= high.y; ++y) {
         for (int x = low.x; x <= high.x; ++x) {
             const glm::vec2 d = ((glm::vec2(static_cast<float>(x), static_cast<float>(y)) + 0.5F) - middle) *
                                 (cell / at.scale); // mm of the volume, y down
             const float rise = -(n.x * d.x - n.y * d.y) / std::copysign(facing, n.z);
             if (d.x * d.x + d.y * d.y + rise * rise <= radiusMm * radiusMm) {
-                keepLargest(
-                    near[static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.x) + static_cast<std::size_t>(x)],
-                    ordered(at.depthMm + rise));
+                keepLargest(near[static_cast<std::size_t>(y) * static_cast<std::size_t>(shape_.size.x) +
+                                 static_cast<std::size_t>(x)],
+                            ordered(at.depthMm + rise));
             }
         }
     }
@@ -152,23 +157,24 @@ void MarkDepth::addDisc(const MarkField& field, const MarkView& view, const Mark
 
 float MarkDepth::tolerance(float facing) const {
     // On a surface seen edge-on a cell is as deep as it is slanted.
-    return toleranceMm_ * (1 + kSlantTolerance * (1 / std::max(facing, kLeastFacing) - 1));
+    return shape_.toleranceMm * (1 + kSlantTolerance * (1 / std::max(facing, kLeastFacing) - 1));
 }
 
 bool MarkDepth::hidesVoxel(const PlaceOnPaper& middle, float facing) const {
     if (nearest_.empty()) {
         return false;
     }
-    const auto cell = static_cast<float>(cellMm_);
+    const auto cell = static_cast<float>(shape_.cellMm);
     const float reach = reachMm_ * middle.scale;
     const glm::vec2 low = (middle.mm - reach) / cell - 0.5F;
     const glm::vec2 high = (middle.mm + reach) / cell + 0.5F;
-    if (!(low.x >= 0 && low.y >= 0 && high.x < static_cast<float>(size_.x) && high.y < static_cast<float>(size_.y))) {
+    if (!(low.x >= 0 && low.y >= 0 && high.x < static_cast<float>(shape_.size.x) &&
+          high.y < static_cast<float>(shape_.size.y))) {
         return false;
     }
     const float least = middle.depthMm + reachMm_ + 2 * tolerance(facing);
     for (int y = static_cast<int>(low.y); y <= static_cast<int>(high.y); ++y) {
-        const float* row = nearest_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.x);
+        const float* row = nearest_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(shape_.size.x);
         for (int x = static_cast<int>(low.x); x <= static_cast<int>(high.x); ++x) {
             if (row[x] < least) {
                 return false;
@@ -184,7 +190,7 @@ float MarkDepth::visible(const PlaceOnPaper& place, float facing) const {
     }
     // Between four cells, so that a mark does not jump out of sight.
     const float tolerated = tolerance(facing);
-    const glm::vec2 at = place.mm / static_cast<float>(cellMm_) - 0.5F;
+    const glm::vec2 at = place.mm / static_cast<float>(shape_.cellMm) - 0.5F;
     // Far off the paper nothing is near; rounded down without a call.
     if (!(std::abs(at.x) < kFarCells && std::abs(at.y) < kFarCells)) {
         return 1;
@@ -195,11 +201,11 @@ float MarkDepth::visible(const PlaceOnPaper& place, float facing) const {
     for (int k = 0; k < 4; ++k) {
         const glm::ivec2 cell = low + glm::ivec2(k & 1, k >> 1);
         const float weight = ((k & 1) != 0 ? f.x : 1 - f.x) * ((k >> 1) != 0 ? f.y : 1 - f.y);
-        if (cell.x < 0 || cell.y < 0 || cell.x >= size_.x || cell.y >= size_.y) {
+        if (cell.x < 0 || cell.y < 0 || cell.x >= shape_.size.x || cell.y >= shape_.size.y) {
             sum += weight;
             continue;
         }
-        const float behind = nearest_[static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(size_.x) +
+        const float behind = nearest_[static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(shape_.size.x) +
                                       static_cast<std::size_t>(cell.x)] -
                              place.depthMm;
         const float t = std::clamp(behind / tolerated - 1, 0.0F, 1.0F);

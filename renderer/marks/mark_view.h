@@ -60,15 +60,27 @@ class MarkDepth {
     /// False where all is visible.
     [[nodiscard]] bool hides() const { return !nearest_.empty(); }
 
+    /// The cells of the paper, and what a voxel of the field does to them.
+    struct Shape {
+        double cellMm = 1;
+        glm::ivec2 size{0};
+        float toleranceMm = 1; ///< of the volume: how far behind matter is still on it, seen face-on
+        float discMm = 1;      ///< radius of a voxel's disc
+        float least = 0;       ///< v of matter that hides
+    };
+    static Shape shapeOf(const MarkField& field, const MarkView& view, bool matterOfLayers);
+    /// How much the tolerance grows with a surface's slant: times 1 / |n.e| - 1, |n.e| counting as `kLeastFacing` at
+    /// least.
+    static constexpr float kSlantTolerance = 0.4F;
+    static constexpr float kLeastFacing = 0.1F;
+
   private:
     [[nodiscard]] float tolerance(float facing) const;
     void addDisc(const MarkField& field, const MarkView& view, const MarkVoxel& voxel,
                  std::vector<std::uint32_t>& near);
 
-    double cellMm_ = 1;
-    glm::ivec2 size_{0};
+    Shape shape_;
     std::vector<float> nearest_; ///< depth, empty: nothing hides
-    float toleranceMm_ = 1;      ///< of the volume
     float reachMm_ = 1;          ///< of a voxel's marks from its middle
 };
 

@@ -15,12 +15,14 @@ class MarkedPicture {
     MarkedPicture(const RenderPlan& plan, const Backend& backend, Task& task);
     /// Layers that marks stand for are not rendered at all.
     [[nodiscard]] RenderResult render(const Tile& tile, Task& task) const;
+    /// Those that the backend lays itself are not counted.
     [[nodiscard]] std::uint64_t dots() const { return marks_ ? marks_->dotCount() : 0; }
     [[nodiscard]] std::uint64_t strokes() const { return marks_ ? marks_->strokeCount() : 0; }
 
   private:
     const RenderPlan& plan_;
     const Backend& backend_;
+    bool dotsByBackend_;
     std::optional<Marks> marks_;
 };
 

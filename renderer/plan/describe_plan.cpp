@@ -127,7 +127,13 @@ void describeMarks(const RenderPlan& plan, const AddFeature& feature) {
     const auto part = [&](bool used, const char* name) {
         feature(used, name, "the stipples have it", "the stipples have it not");
     };
-    part(stipple->kMax > 0 && stipple->sizeMm > 0, "dots");
+    const bool dots = stipple->kMax > 0 && stipple->sizeMm > 0;
+    part(dots, "dots");
+    feature(dots && plan.marks->moving && !stipple->fromStyle, "dots by the graphics card, where it draws",
+            "the view moves and there is one ink",
+            !dots                ? "the stipples have none"
+            : plan.marks->moving ? "the ink takes the styles' colours: the processor lays the dots"
+                                 : "the view stands still: the processor lays its dots");
     part(stipple->boundary.has_value(), "dots by boundary");
     part(stipple->silhouette.has_value(), "dots by silhouette");
     part(stipple->resolution.has_value(), "dots by resolution");

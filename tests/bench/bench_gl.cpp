@@ -4,7 +4,13 @@
 
 #include "core/base/error.h"
 #include "renderer/gl/gl_backend.h"
+#include "renderer/marks/draw_marks.h"
+#include "renderer/marks/marked_picture.h"
 
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -48,6 +54,60 @@ double timed(Row& row, const Backend& backend, Times* times, Picture* picture = 
     return ms;
 }
 
+/// Ink alone, a dot a pixel wide, seen by a moving view.
+std::shared_ptr<const RenderPlan> inkPlan(Planner& planner, const Scene& scene, double kMax, double degrees) {
+    constexpr int kPixels = 512;
+    Figure figure = sceneFigure(scene, Shading::flat, 0.5);
+    const double angle = glm::radians(degrees);
+    figure.camera.projection = Projection::orthographic;
+    const glm::dvec3 size = scene.volume->grid().sizeMm();
+    figure.camera.heightMm = 1.2 * std::max({size.x, size.y, size.z});
+    figure.camera.direction = {std::sin(angle), std::cos(angle), -0.25};
+    figure.output.widthMm = figure.output.heightMm = 180;
+    Stipple& stipple = figure.stipple.emplace();
+    stipple.layerOpacity = "alone";
+    stipple.sizeMm = 180.0 / kPixels;
+    stipple.kMax = kMax;
+    stipple.lighting.emplace();
+    Task task;
+    PlanRequest request;
+    request.size = {kPixels, kPixels};
+    request.moving = true;
+    return planner.plan(figure, request, task);
+}
+
+/// Views a degree apart, each drawn by both.
+void turnDots(const Backend& gl, const Backend& cpu, const Scene& scene, int rounds) {
+    std::cout << "\nDots of a turning view, 512^2\n\n";
+    printRow({"dots", "gl ms (min-max)", "processor ms", "first picture ms", "cpu ms (min-max)", "processor ms",
+              "gl / cpu", "by processor"});
+    printRow({"---", "---", "---", "---", "---", "---", "---", "---"});
+    for (const double kMax : {0.05, 1.0}) {
+        Planner planner;
+        Times times[2];
+        double firstMs = 0;
+        std::size_t dots = 0;
+        for (int round = -2; round < rounds; ++round) { // the first is the processor's, the second fills the card
+            const auto plan = inkPlan(planner, scene, kMax, 30 + round);
+            for (const bool card : {true, false}) {
+                Task task;
+                const Stopwatch watch;
+                static_cast<void>(MarkedPicture(*plan, card ? gl : cpu, task).render({{0, 0}, plan->size}, task));
+                if (round >= 0) {
+                    times[card ? 0 : 1].add(watch);
+                } else if (card) {
+                    firstMs = watch.ms();
+                }
+            }
+            Task task;
+            dots = drawMarks(*plan, task).dotCount();
+        }
+        printRow({number(static_cast<double>(dots)), times[0].spread(), number(times[0].cpuMedian()), number(firstMs),
+                  times[1].spread(), number(times[1].cpuMedian()), number(times[0].median() / times[1].median(), 2),
+                  number(times[0].cpuMedian() / times[1].cpuMedian(), 2)});
+    }
+}
+
 void run(const std::string& library, int rounds) {
     const auto gl = makeGlBackend(limner::gl::contextFactory(library));
     const auto cpu = makeCpuBackend();
@@ -85,6 +145,7 @@ void run(const std::string& library, int rounds) {
                   number(row.gl.median() / rows.front().gl.median(), 2), row.cpu.spread(),
                   number(row.gl.median() / row.cpu.median(), 2), number(row.rmse, 6)});
     }
+    turnDots(*gl, *cpu, scene, 2 * rounds);
 }
 
 } // namespace
