@@ -23,10 +23,12 @@ constexpr double kSeconds = 4; ///< after which no further round begins
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// The plan's own and the scan, unless the plan has one of its own.
+/// The plan's own and the scan, as far as rays sample it.
 std::uint64_t heldBytes(const RenderPlan& plan) {
-    const auto& scan = plan.figure->volume->data;
-    return plan.bytes + (plan.volume == scan ? scan->bytes() : 0);
+    const bool counted = plan.volume != plan.figure->volume->data;
+    const bool sampled = plan.field == plan.volume || plan.gradientField == plan.volume;
+    const std::uint64_t voxels = plan.volume->bytes();
+    return plan.bytes + (sampled ? voxels : 0) - (counted ? voxels : 0);
 }
 
 /// A plan and the least time that its picture took.

@@ -123,11 +123,7 @@ std::string restOfRayOf(const RenderPlan& plan) {
     return !plan.layers.empty() && plan.earlyTermination > 0 ? "behind opaque matter" : "";
 }
 
-std::string wideVoxelsOf(const RenderPlan& plan) {
-    return plan.volume->type() == VoxelType::uint8 && plan.figure->quality.precision == VoxelPrecision::full
-               ? "half of sixteen bits"
-               : "";
-}
+std::string wideVoxelsOf(const RenderPlan& plan) { return samplesEightBits(plan) ? "half of sixteen bits" : ""; }
 
 std::string mipLevelsOf(const RenderPlan& plan) {
     return plan.atlas && !plan.mipLevels && !oneLevelServesAll(plan) ? "all levels but the finest" : "";
@@ -198,6 +194,11 @@ KeptIn KeptIn::allOf(LeaveOutEquality equality) {
         kept.rules_.set(static_cast<std::size_t>(rule.what), rule.equality == equality);
     }
     return kept;
+}
+
+bool samplesEightBits(const RenderPlan& plan) {
+    return plan.volume->type() == VoxelType::uint8 && plan.figure->quality.precision == VoxelPrecision::full &&
+           (plan.field == plan.volume || plan.gradientField == plan.volume);
 }
 
 std::vector<LeftOut> rulesAtWork(const RenderPlan& plan) {

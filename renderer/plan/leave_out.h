@@ -81,6 +81,9 @@ struct LeftOut {
     std::string what; ///< "93 % of the blocks"
 };
 
+/// Whether rays sample the voxels of an eight-bit scan as they are.
+bool samplesEightBits(const RenderPlan& plan);
+
 /// The rules whose condition a plan meets and that are not switched off.
 std::vector<LeftOut> rulesAtWork(const RenderPlan& plan);
 

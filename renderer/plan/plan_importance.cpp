@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "renderer/plan/depth_cues.h"
+#include "renderer/plan/importance_bricks.h"
 
 #include <glm/geometric.hpp>
 

@@ -100,16 +100,13 @@ bool drawsSpheres(const PlanLayer& layer) {
 
 namespace {
 
-/// Light that changes no colour, and transparency that clears nothing, read no normals.
+/// Light that changes no colour reads no normals.
 void leaveOutIdleNormals(PlanLayer& layer) {
     const auto is = [](double v, double wanted) { return !(std::abs(v - wanted) > 0); };
     if (layer.shading == Shading::phong && is(layer.light.ambient, 1) && is(layer.light.diffuse, 0) &&
         is(layer.specular.strength, 0)) {
         layer.shading = Shading::flat;
     }
-    const std::vector<float>& opacity = layer.table.rows == 0 ? layer.table.opacity : layer.table.opacity2d;
-    const bool opaque = std::all_of(opacity.begin(), opacity.end(), [](float a) { return a >= 1; });
-    layer.illustrative = layer.illustrative && !opaque; // 1 to any power is 1
 }
 
 } // namespace

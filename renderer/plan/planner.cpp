@@ -139,6 +139,7 @@ struct Planner::Cache {
     }
 
     void packAtlas(RenderPlan& plan);
+    void widenVoxels(RenderPlan& plan);
     void addSkipGrid(RenderPlan& plan);
     void boundImportance(RenderPlan& plan, const MinMaxGrid& lowHigh);
     void measureGradients(RenderPlan& plan);
@@ -213,6 +214,17 @@ void Planner::Cache::boundImportance(RenderPlan& plan, const MinMaxGrid& lowHigh
     }
 }
 
+/// Of what rays sample alone: fields that were made of the voxels stay as they are.
+void Planner::Cache::widenVoxels(RenderPlan& plan) {
+    if (!plan.kept.has(LeaveOut::wideVoxels) || !samplesEightBits(plan)) {
+        return;
+    }
+    const auto wide = widened.get(plan.volume, [&] { return widenedToInt16(*plan.volume); });
+    for (auto* sampled : {&plan.field, &plan.gradientField}) {
+        *sampled = *sampled == plan.volume ? wide : *sampled;
+    }
+}
+
 void Planner::Cache::measureGradients(RenderPlan& plan) {
     if (readsGradientScale(plan)) {
         const GradientStatistics statistics =
@@ -238,10 +250,6 @@ std::shared_ptr<const RenderPlan> Planner::plan(const Figure& figure, const Plan
         return applyCleanup(figure.volume->data, labels.get(), figure.cleanup, aspect, task);
     });
     const Quality& quality = figure.quality;
-    if (plan->kept.has(LeaveOut::wideVoxels) && plan->volume->type() == VoxelType::uint8 &&
-        quality.precision == VoxelPrecision::full) {
-        plan->volume = cache_->widened.get(plan->volume, [&] { return widenedToInt16(*plan->volume); });
-    }
     plan->subPixels = request.subPixels > 0           ? request.subPixels
                       : quality.samplesPerPixel >= 16 ? 4
                       : quality.samplesPerPixel >= 4  ? 2
@@ -269,6 +277,7 @@ std::shared_ptr<const RenderPlan> Planner::plan(const Figure& figure, const Plan
     cache_->measureGradients(*plan);
     cache_->cues.add(*plan, request.stepScale > 1 ? CueDetail::draft : CueDetail::still, task);
     cache_->marks.add(*plan, request, task);
+    cache_->widenVoxels(*plan);
     describePlan(*plan);
     return plan;
 }

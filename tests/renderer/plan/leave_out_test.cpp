@@ -38,6 +38,7 @@ Layer& only(Figure& figure) { return figure.layers.front(); }
 Figure styled(VoxelType type = VoxelType::int16) {
     Figure figure = smooth(type);
     only(figure).shading = Shading::style;
+    testing::makeLine(only(figure), "value"); // its nodes are styles then
     return figure;
 }
 
@@ -60,11 +61,6 @@ Lens lensAt(double radius, double outside) {
 Figure changed(Figure figure, const std::function<void(Figure&)>& change) {
     change(figure);
     return figure;
-}
-
-void makeOpaque(Figure& figure) {
-    only(figure).transfer.opacity = {{-10, 1}, {10, 1}};
-    only(figure).transparency = Transparency::illustrative;
 }
 
 void setColours(Figure& figure, const glm::dvec3& first, const glm::dvec3& last) {
@@ -138,13 +134,6 @@ void addLayerCases(std::vector<Case>& all) {
     };
     all.push_back({"phongUnlit", LeaveOut::normals, true, lit(0)});
     all.push_back({"phongHardlyLit", LeaveOut::normals, false, lit(0.01)});
-    all.push_back({"opaqueIllustrative", LeaveOut::normals, true, [] { return changed(smooth(), makeOpaque); }});
-    all.push_back({"illustrative", LeaveOut::normals, false, [] {
-                       return changed(smooth(), [](Figure& f) {
-                           makeOpaque(f);
-                           only(f).transfer.opacity.back().y = 0.9;
-                       });
-                   }});
     for (const Shading shading : {Shading::flat, Shading::style, Shading::phong}) {
         const auto contoured = [shading](double thickness) {
             return [=] {
@@ -238,7 +227,7 @@ void addSampleCases(std::vector<Case>& all) {
         add("eightBits" + suffix, LeaveOut::wideVoxels, true, estimated(VoxelType::uint8));
         add("sixteenBits" + suffix, LeaveOut::wideVoxels, false, estimated(VoxelType::int16));
     }
-    add("eightBitsTricubic", LeaveOut::wideVoxels, true,
+    add("eightBitsTricubic", LeaveOut::wideVoxels, false,
         changed(styled(VoxelType::uint8), [](Figure& f) { f.quality.interpolation = Interpolation::tricubic; }));
     add("near", LeaveOut::mipLevels, true, changed(styled(), [](Figure& f) { lookFrom(f, 20); }));
     add("far", LeaveOut::mipLevels, false, changed(styled(), [](Figure& f) { lookFrom(f, 200); }));
