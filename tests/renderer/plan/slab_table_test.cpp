@@ -85,7 +85,7 @@ std::shared_ptr<const RenderPlan> planWith(const std::function<void(Figure&)>& c
 }
 
 std::string leftOutFor(const RenderPlan& plan) {
-    for (const PlanFeature& feature : plan.featuresLeftOut) {
+    for (const PlanFeature& feature : plan.featuresNotAsked) {
         if (feature.name == "pre-integration") {
             return feature.reason;
         }

@@ -34,7 +34,7 @@ TEST(TableEntries, ArePlannedAsAsked) {
         });
     };
     EXPECT_TRUE(names(planWith(300)->featuresUsed));
-    EXPECT_TRUE(names(planWith(0)->featuresLeftOut));
+    EXPECT_TRUE(names(planWith(0)->featuresNotAsked));
 }
 
 TEST(TableEntries, APicturesErrorFallsWithThem) {
