@@ -173,4 +173,38 @@ void addPartFeatures(Features& features) {
                         }});
 }
 
+void addSlabFeatures(std::vector<TransferFeature>& features) {
+    const auto add = [&](const std::string& name, const std::function<void(Figure&)>& change, bool onEntries = true) {
+        features.push_back({"slabs" + name,
+                            [change](Figure& figure) {
+                                figure.quality.preintegration = true;
+                                figure.layers.front().shading = Shading::style;
+                                makeLine(figure.layers.front(), "value");
+                                change(figure);
+                            },
+                            onEntries});
+    };
+    add("Flat", [](Figure& figure) { figure.layers.front().shading = Shading::flat; });
+    add("Phong", [](Figure& figure) { figure.layers.front().shading = Shading::phong; });
+    add("Style", [](Figure&) {});
+    add("Contours", [](Figure& figure) { figure.layers.front().contours.emplace(); });
+    add("Spline", [](Figure& figure) {
+        figure.quality.interpolation = Interpolation::tricubic;
+        figure.quality.gradient = GradientEstimator::bspline;
+    });
+    add("LongSteps", [](Figure& figure) { figure.quality.stepVoxels = 2.7; });
+    add(
+        "SmoothCurve", [](Figure& figure) { figure.layers.front().transfer.curve = OpacityCurve::smooth; }, false);
+    add("Clipped", [](Figure& figure) { figure.clip.planes = {{{0.3, -0.8, 0.5}, 1.3}}; });
+    add("Layers", [](Figure& figure) {
+        Layer core = figure.layers.front();
+        core.shading = Shading::phong;
+        core.transfer.opacity = {{0.5, 0}, {0.7, 0.6}, {0.9, 0.1}};
+        core.transfer.nodes = {{0.5, "", glm::dvec3(0.9, 0.2, 0.1)},
+                               {0.7, "", glm::dvec3(0.2, 0.6, 0.9)},
+                               {0.9, "", glm::dvec3(0.8, 0.8, 0.2)}};
+        figure.layers.push_back(core);
+    });
+}
+
 } // namespace limner::testing

@@ -352,39 +352,6 @@ Lens lensOf(const std::string& kind, const std::string& shape) {
     return lens;
 }
 
-/// Samples as slabs, with what a slab's place may be read for.
-void addSlabs(Features& features) {
-    const auto add = [&](const std::string& name, const std::function<void(Figure&)>& change, bool onEntries = true) {
-        features.push_back({"slabs" + name,
-                            [change](Figure& figure) {
-                                figure.quality.preintegration = true;
-                                only(figure).shading = Shading::style;
-                                makeLine(only(figure), "value");
-                                change(figure);
-                            },
-                            onEntries});
-    };
-    add("Flat", [](Figure& figure) { only(figure).shading = Shading::flat; });
-    add("Phong", [](Figure& figure) { only(figure).shading = Shading::phong; });
-    add("Style", [](Figure&) {});
-    add("Contours", [](Figure& figure) { only(figure).contours.emplace(); });
-    add("Spline", [](Figure& figure) {
-        figure.quality.interpolation = Interpolation::tricubic;
-        figure.quality.gradient = GradientEstimator::bspline;
-    });
-    add("LongSteps", [](Figure& figure) { figure.quality.stepVoxels = 2.7; });
-    add(
-        "SmoothCurve", [](Figure& figure) { only(figure).transfer.curve = OpacityCurve::smooth; }, false);
-    add("Clipped", [](Figure& figure) { figure.clip.planes = {{{0.3, -0.8, 0.5}, 1.3}}; });
-    add("Layers", [](Figure& figure) {
-        Layer core = only(figure);
-        core.shading = Shading::phong;
-        core.transfer.opacity = {{0.5, 0}, {0.7, 0.6}, {0.9, 0.1}};
-        core.transfer.nodes = {{0.5, "", kColours[0]}, {0.7, "", kColours[1]}, {0.9, "", kColours[2]}};
-        figure.layers.push_back(core);
-    });
-}
-
 void addImportance(Features& features) {
     const auto add = [&](const std::string& name, auto change) {
         features.push_back({"importance" + name, [change](Figure& figure) {
@@ -441,7 +408,7 @@ const std::vector<TransferFeature>& transferFeatures() {
         addShapes(all);
         addLooks(all);
         addLabelsAndEstimators(all);
-        addSlabs(all);
+        addSlabFeatures(all);
         addImportance(all);
         addPartFeatures(all);
         return all;
