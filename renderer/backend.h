@@ -35,7 +35,7 @@ class Backend {
     /// A backend that prepares a plan before it draws prepares it once for all of them.
     virtual RenderResult renderTiles(const RenderPlan& plan, std::span<const Tile> tiles, Task& task) const;
 
-    /// Whether the backend draws the dots of the plan's marks itself, faster than renderer/marks does.
+    /// Whether the backend draws the dots of the plan's marks itself.
     [[nodiscard]] virtual bool laysDots(const RenderPlan& /*plan*/) const { return false; }
     /// Lays the dots of the plan's marks, and no strokes, into a rendered tile: those that renderer/marks draws. By
     /// renderer/marks where the backend does not. Throws as `render` does.

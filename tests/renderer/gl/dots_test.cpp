@@ -58,8 +58,8 @@ void allFactors(Figure& figure) {
     s.lighting.emplace();
 }
 
-const std::vector<Scene>& scenes() {
-    static const std::vector<Scene> all{
+std::vector<Scene> oneByOne() {
+    return {
         {"plain", [](Figure& f) { ink(f).kMax = 0.5; }},
         {"dense", [](Figure&) {}},
         {"counted", [](Figure& f) { ink(f).tone = "count"; }},
@@ -76,6 +76,11 @@ const std::vector<Scene>& scenes() {
          },
          200},
         {"near", [](Figure& f) { f.camera.heightMm = 26; }},
+    };
+}
+
+std::vector<Scene> together() {
+    return {
         {"allFactors", allFactors, 500},
         {"allFactorsCounted",
          [](Figure& f) {
@@ -122,6 +127,15 @@ const std::vector<Scene>& scenes() {
          100},
         {"otherSeed", [](Figure& f) { ink(f).seed = 77; }},
     };
+}
+
+const std::vector<Scene>& scenes() {
+    static const std::vector<Scene> all = [] {
+        std::vector<Scene> both = oneByOne();
+        const std::vector<Scene> more = together();
+        both.insert(both.end(), more.begin(), more.end());
+        return both;
+    }();
     return all;
 }
 
