@@ -78,7 +78,6 @@ Facts explanationFacts(const Explanation& e) {
             {"reasons", reasons},
             {"fields", e.fields},
             {"annotations", e.annotations},
-            {"not_drawn", e.notDrawn},
             {"bytes", bytes},
             {"milliseconds", {{"estimated", estimated}, {"measured", measured}}},
             {"backend", e.backend},
@@ -204,9 +203,6 @@ int ExplainCommand::run(Console& console) {
     }
     const Document document = figure_.open(console);
     const Explanation explanation = explainFigure(document.figure, {}, *backend, console.task());
-    for (const std::string& line : explanation.notDrawn) {
-        console.task().warn(line);
-    }
     Facts facts = explanationFacts(explanation);
     std::string text = explanationText(explanation);
     if (visibility_) {

@@ -124,9 +124,6 @@ int RenderCommand::run(Console& console) {
     PlanRequest request;
     request.omit = !keepEverything_;
     const auto plan = planner.plan(document.figure, request, task);
-    for (const std::string& line : plan->notDrawn) {
-        task.warn(line);
-    }
     if (const auto memory = figure_.memory()) {
         options.memoryBudget = pictureBudget(*memory, *plan);
     }

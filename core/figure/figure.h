@@ -138,8 +138,7 @@ struct Quality {
     /// Opacity and place of colour by integrals over the values between two ends of a step instead of the value at its
     /// middle: thin peaks of a transfer function are not missed.
     bool preintegration = false;
-    bool adaptiveStep = false; ///< longer steps where neither the field nor the transfer function asks for short ones
-    int tableEntries = 0;      ///< of a transfer function; 0: as many as its narrowest feature needs
+    int tableEntries = 0; ///< of a transfer function; 0: as many as its narrowest feature needs
     std::optional<double> tolerance;
     ErrorMetric toleranceMetric = ErrorMetric::ciede2000;
     friend bool operator==(const Quality&, const Quality&) = default;

@@ -31,12 +31,8 @@ Figure readFigure(const std::string& text, const std::string& where, std::vector
 /// unknown key, the nearest known one.
 Figure withSetting(const Figure& figure, const std::string& assignment);
 
-/// Sense check beyond types and ranges: node order, styles that exist, degenerate cameras, parts not yet drawn.
+/// Sense check beyond types and ranges: node order, styles that exist, degenerate cameras.
 std::vector<Problem> validateFigure(const Figure& figure);
-
-/// Parts that the figure uses and this version keeps but does not draw: "/layers/0/contours: contours are kept but not
-/// drawn by this version". One line each; hidden layers do not count.
-std::vector<std::string> partsNotDrawn(const Figure& figure);
 
 /// Every problem of a document's text, types and ranges included; never throws for a bad document.
 std::vector<Problem> validateText(const std::string& text);

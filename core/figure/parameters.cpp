@@ -455,9 +455,6 @@ std::span<const Field> fieldsOf<Quality>() {
                                    .help = "Opacity from all values between two samples, not from one at their "
                                            "middle: thin peaks of a transfer function are not missed.",
                                    .omitDefault = true}),
-        field<&T::adaptiveStep>("adaptive_step", {.label = "Adaptive step",
-                                                  .help = "Longer steps where nothing changes along the ray.",
-                                                  .omitDefault = true}),
         field<&T::tableEntries>("table_entries",
                                 {.label = "Table entries",
                                  .help = "Of a transfer function; 0: as many as its narrowest feature needs.",

@@ -37,10 +37,6 @@ class Validator {
         checkOutput();
         checkAnnotations(figure_, problems_);
         checkUse();
-        for (const std::string& line : partsNotDrawn(figure_)) {
-            const std::size_t colon = line.find(": ");
-            note(line.substr(0, colon), line.substr(colon + 2), "");
-        }
         return std::move(problems_);
     }
 
@@ -313,17 +309,6 @@ class Validator {
 };
 
 } // namespace
-
-std::vector<std::string> partsNotDrawn(const Figure& figure) {
-    std::vector<std::string> lines;
-    const auto kept = [&](bool used, const char* pointer, const char* what) {
-        if (used) {
-            lines.push_back(std::string(pointer) + ": " + what + " kept but not drawn by this version");
-        }
-    };
-    kept(figure.quality.adaptiveStep, "/quality/adaptive_step", "adaptive steps are");
-    return lines;
-}
 
 std::vector<Problem> validateFigure(const Figure& figure) { return Validator(figure).run(); }
 

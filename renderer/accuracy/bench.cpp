@@ -13,7 +13,6 @@ glm::dvec3 backgroundOf(const Figure& figure) { return glm::dvec3(figure.backgro
 Figure atItsBest(const Figure& figure) {
     Figure best = figure;
     best.quality.preintegration = true;
-    best.quality.adaptiveStep = true;
     best.quality.precision = VoxelPrecision::full;
     best.quality.earlyTermination = 0;
     return best;

@@ -16,7 +16,6 @@ void copyKnob(const Quality& from, Quality& to, Knob knob) {
     switch (knob) {
     case Knob::step: to.stepVoxels = from.stepVoxels; break;
     case Knob::preintegration: to.preintegration = from.preintegration; break;
-    case Knob::adaptiveStep: to.adaptiveStep = from.adaptiveStep; break;
     case Knob::termination: to.earlyTermination = from.earlyTermination; break;
     case Knob::tableEntries: to.tableEntries = from.tableEntries; break;
     case Knob::precision: to.precision = from.precision; break;
@@ -119,7 +118,6 @@ const char* nameOf(Knob knob) {
     switch (knob) {
     case Knob::step: return "step";
     case Knob::preintegration: return "pre-integration";
-    case Knob::adaptiveStep: return "adaptive step";
     case Knob::termination: return "early end";
     case Knob::tableEntries: return "table entries";
     case Knob::precision: return "voxels";
@@ -131,9 +129,9 @@ const char* nameOf(Knob knob) {
 }
 
 const std::vector<Knob>& allKnobs() {
-    static const std::vector<Knob> all = {Knob::step,          Knob::preintegration, Knob::adaptiveStep,
-                                          Knob::termination,   Knob::tableEntries,   Knob::precision,
-                                          Knob::interpolation, Knob::gradient,       Knob::samplesPerPixel};
+    static const std::vector<Knob> all = {Knob::step,         Knob::preintegration, Knob::termination,
+                                          Knob::tableEntries, Knob::precision,      Knob::interpolation,
+                                          Knob::gradient,     Knob::samplesPerPixel};
     return all;
 }
 
@@ -154,12 +152,6 @@ std::vector<KnobLevels> knobsOf(const Quality& figure, const RenderPlan& plan) {
         KnobLevels knob{Knob::preintegration, {}, {}, true};
         addLevel(knob, &Quality::preintegration, false, "off");
         addLevel(knob, &Quality::preintegration, true, "on");
-        knobs.push_back(knob);
-    }
-    if (uses(plan, "adaptive step")) {
-        KnobLevels knob{Knob::adaptiveStep, {}, {}, true};
-        addLevel(knob, &Quality::adaptiveStep, true, "on");
-        addLevel(knob, &Quality::adaptiveStep, false, "off");
         knobs.push_back(knob);
     }
     KnobLevels termination{Knob::termination, {}, {}, true};

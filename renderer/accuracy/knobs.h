@@ -11,7 +11,6 @@ namespace limner::accuracy {
 enum class Knob {
     step,
     preintegration,
-    adaptiveStep,
     termination,
     tableEntries,
     precision,

@@ -28,9 +28,11 @@ Facts errorFacts(const PictureError& error) {
 
 /// What of a quality a study may change, by the figure document's names.
 Facts knobFacts(const Quality& quality) {
-    return {{"step_voxels", quality.stepVoxels},     {"preintegration", quality.preintegration},
-            {"adaptive_step", quality.adaptiveStep}, {"early_termination", quality.earlyTermination},
-            {"table_entries", quality.tableEntries}, {"samples_per_pixel", quality.samplesPerPixel}};
+    return {{"step_voxels", quality.stepVoxels},
+            {"preintegration", quality.preintegration},
+            {"early_termination", quality.earlyTermination},
+            {"table_entries", quality.tableEntries},
+            {"samples_per_pixel", quality.samplesPerPixel}};
 }
 
 Facts choiceFacts(const std::string& name, const ToleranceChoice& choice) {
@@ -46,9 +48,7 @@ Facts choiceFacts(const std::string& name, const ToleranceChoice& choice) {
             {"limiting_knob", choice.limiting}};
 }
 
-} // namespace
-
-std::string reportJson(const Study& study) {
+Facts rowFacts(const Study& study) {
     Facts rows = Facts::array();
     for (const StudyRow& row : study.rows) {
         Facts facts{{"method", row.method},
@@ -62,6 +62,12 @@ std::string reportJson(const Study& study) {
         facts.update(errorFacts(row.measured.error));
         rows.push_back(facts);
     }
+    return rows;
+}
+
+} // namespace
+
+std::string reportJson(const Study& study) {
     Facts orders = Facts::array();
     for (const StudySeries& series : study.series) {
         orders.push_back({{"method", series.method},
@@ -95,7 +101,7 @@ std::string reportJson(const Study& study) {
                         {"observed_order", study.referenceOrder},
                         {"extrapolated", study.extrapolated},
                         {"arithmetic", errorFacts(study.arithmetic)}}},
-                      {"rows", rows},
+                      {"rows", rowFacts(study)},
                       {"pareto", study.pareto},
                       {"orders", orders},
                       {"budget", budget},
@@ -113,7 +119,7 @@ std::string reportJson(const Study& study) {
 std::string reportCsv(const Study& study) {
     std::ostringstream out;
     out.precision(8);
-    out << "method,settings,step_voxels,preintegration,adaptive_step,early_termination,table_entries,samples_per_pixel,"
+    out << "method,settings,step_voxels,preintegration,early_termination,table_entries,samples_per_pixel,"
            "seconds,probe_seconds,probe_seconds_median,probe_seconds_iqr,rmse,max,max_999,psnr_db,ciede2000_mean,"
            "ciede2000_p95,ciede2000_max,pareto,present\n";
     for (std::size_t i = 0; i < study.rows.size(); ++i) {
@@ -122,11 +128,10 @@ std::string reportCsv(const Study& study) {
         const PictureError& e = row.measured.error;
         const bool hull = std::find(study.pareto.begin(), study.pareto.end(), i) != study.pareto.end();
         out << row.method << ",\"" << row.words << "\"," << q.stepVoxels << ',' << q.preintegration << ','
-            << q.adaptiveStep << ',' << q.earlyTermination << ',' << q.tableEntries << ',' << q.samplesPerPixel << ','
-            << row.pictureSeconds << ',' << row.measured.seconds << ',' << row.measured.median << ','
-            << row.measured.spread << ',' << e.rmse << ',' << e.largest << ',' << e.most999 << ',' << e.psnr() << ','
-            << e.meanColour << ',' << e.p95Colour << ',' << e.largestColour << ',' << hull << ','
-            << (i == study.present) << '\n';
+            << q.earlyTermination << ',' << q.tableEntries << ',' << q.samplesPerPixel << ',' << row.pictureSeconds
+            << ',' << row.measured.seconds << ',' << row.measured.median << ',' << row.measured.spread << ',' << e.rmse
+            << ',' << e.largest << ',' << e.most999 << ',' << e.psnr() << ',' << e.meanColour << ',' << e.p95Colour
+            << ',' << e.largestColour << ',' << hull << ',' << (i == study.present) << '\n';
     }
     return out.str();
 }

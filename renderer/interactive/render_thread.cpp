@@ -204,7 +204,6 @@ bool RenderThread::renderStage(const Numbered& job, const Coarseness& coarseness
     facts.samples = result.samples;
     facts.shaded = result.shaded;
     facts.backend = backend_->name();
-    facts.warnings = plan->notDrawn;
     if (facts.final)
         for (std::string& warning : pictureWarnings(*plan))
             facts.warnings.push_back(std::move(warning));

@@ -199,7 +199,6 @@ void countBytes(RenderPlan& plan) {
 } // namespace
 
 void describePlan(RenderPlan& plan) {
-    plan.notDrawn = partsNotDrawn(*plan.figure);
     plan.leftOut = rulesAtWork(plan);
     const auto leavesOut = [&](LeaveOut rule) {
         return std::any_of(plan.leftOut.begin(), plan.leftOut.end(),

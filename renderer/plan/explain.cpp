@@ -204,7 +204,6 @@ Explanation explainFigure(const Figure& figure, const PlanRequest& request, cons
     out.used = plan->featuresUsed;
     out.notAsked = plan->featuresNotAsked;
     out.leftOut = plan->leftOut;
-    out.notDrawn = plan->notDrawn;
     if (!figure.annotations.empty()) {
         out.annotations = describeAnnotations(*plan->figure, drawAnnotations(*plan->figure, {}));
     }

@@ -25,7 +25,6 @@ struct Explanation {
     std::vector<LeftOut> leftOut;         ///< what the picture does not need
     std::vector<std::string> fields;      ///< read per sample: "value", "gradient", "labels"
     std::vector<std::string> annotations; ///< what is written over the picture, one line each
-    std::vector<std::string> notDrawn;    ///< kept but not drawn by this version
     std::vector<PartCost> parts;
     double planningMs = 0;      ///< the first plan as a whole, measured
     double occupied = 0;        ///< share of the blocks that rays cannot skip

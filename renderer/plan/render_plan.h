@@ -157,8 +157,7 @@ struct RenderPlan {
     std::vector<LeftOut> leftOut;
     std::vector<PlanFeature> featuresUsed;
     std::vector<PlanFeature> featuresNotAsked; ///< the figure has no such part
-    std::vector<std::string> notDrawn; ///< figure parts that this version keeps but does not draw, one line each
-    std::size_t bytes = 0;             ///< held by the plan beyond the volume
+    std::size_t bytes = 0;                     ///< held by the plan beyond the volume
 };
 
 /// What a picture's samples are measured for, by any layer or for their importance; or because it is kept in.

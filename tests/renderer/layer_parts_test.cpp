@@ -234,7 +234,6 @@ TEST(PlannedParts, MakePlansOnlyOfWhatTheyAre) {
     EXPECT_TRUE(plan()->blurs.empty());
     figure.layers[0].silhouette.emplace();
     EXPECT_FALSE(opacityByValue(plan()->layers[0]));
-    EXPECT_TRUE(plan()->notDrawn.empty());
 }
 
 TEST(PlannedParts, BoundTheOpacityOfTheirLines) {

@@ -314,7 +314,6 @@ TEST_F(WithScan, AnnotationsAreDrawnAndExplained) {
     ASSERT_EQ(lines.size(), 2U);
     EXPECT_EQ(lines[0], "scale-bar of 20\u00A0mm");
     EXPECT_EQ(lines[1], "label \"Nowhere\": not drawn: it has neither a point nor a place");
-    EXPECT_TRUE(r.facts().at("not_drawn").empty());
     const ProgramRun picture =
         run({"render", scan(), "-o", path("bar.png"), "--size", "64x64", "--json", "--set", written});
     ASSERT_EQ(picture.code, 0) << picture.err;

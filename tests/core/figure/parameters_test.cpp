@@ -92,7 +92,7 @@ TEST(Description, CoversEveryMember) {
     EXPECT_ALL_DESCRIBED(Background, a, b, c, d);
     EXPECT_ALL_DESCRIBED(Annotation, a, b, c, d, e, f, g, h, i);
     EXPECT_ALL_DESCRIBED(Output, a, b, c, d);
-    EXPECT_ALL_DESCRIBED(Quality, a, b, c, d, e, f, g, h, i, j, k);
+    EXPECT_ALL_DESCRIBED(Quality, a, b, c, d, e, f, g, h, i, j);
     EXPECT_ALL_DESCRIBED(Figure, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r);
 }
 

@@ -36,7 +36,6 @@ bool hasProblem(const Figure& figure, const std::string& pointer, bool fatal) {
 
 TEST(Validate, SoundFigureHasNoProblem) {
     EXPECT_TRUE(validateFigure(soundFigure()).empty());
-    EXPECT_TRUE(partsNotDrawn(soundFigure()).empty());
     Figure phong = soundFigure();
     phong.layers[0].shading = Shading::phong;
     phong.layers[0].specular.emplace();
@@ -298,21 +297,6 @@ TEST(Validate, AnnotationsThatCannotShowAreSaid) {
     EXPECT_FALSE(hasProblem(figure, "/annotations/1/length_mm", false));
     bar.lengthMm = 201;
     EXPECT_TRUE(hasProblem(figure, "/annotations/1/length_mm", false));
-    EXPECT_TRUE(partsNotDrawn(figure).empty());
-}
-
-TEST(Validate, PartsThatAreNotDrawnAreSaid) {
-    const std::pair<const char*, Edit> cases[] = {
-        {"/quality/adaptive_step", [](Figure& f) { f.quality.adaptiveStep = true; }},
-    };
-    for (const auto& [pointer, edit] : cases) {
-        Figure figure = soundFigure();
-        edit(figure);
-        const std::vector<std::string> lines = partsNotDrawn(figure);
-        ASSERT_EQ(lines.size(), 1u) << pointer;
-        EXPECT_TRUE(lines[0].starts_with(std::string(pointer) + ": ")) << lines[0];
-        EXPECT_TRUE(hasProblem(figure, pointer, false)) << pointer;
-    }
 }
 
 } // namespace

@@ -34,13 +34,13 @@ class SlowBackend : public Backend {
     double msPerMegaRay_;
 };
 
-std::shared_ptr<const RenderPlan> simplePlan(const Figure& figure, const PlanRequest& request, Task&) {
+std::shared_ptr<const RenderPlan> simplePlan(const Figure& figure, const PlanRequest& request, Task& task) {
     auto plan = std::make_shared<RenderPlan>();
     plan->figure = std::make_shared<const Figure>(figure);
     plan->size = request.size;
     plan->subPixels = std::max(1, request.subPixels);
     plan->lattice.stepMm = request.stepScale;
-    plan->notDrawn = {"stipples are not drawn yet"};
+    task.warn("the scan is coarse");
     return plan;
 }
 
@@ -93,7 +93,7 @@ TEST(RenderThread, ComesFromCoarseToFine) {
     EXPECT_TRUE(pictures[2].facts.final);
     EXPECT_EQ(pictures[2].facts.backend, "slow");
     EXPECT_EQ(pictures[2].facts.samples, 7U);
-    EXPECT_EQ(pictures[2].facts.warnings, std::vector<std::string>{"stipples are not drawn yet"});
+    EXPECT_EQ(pictures[2].facts.warnings, std::vector<std::string>{"the scan is coarse"});
 }
 
 TEST(RenderThread, DrawsAtOnceWhatIsFast) {

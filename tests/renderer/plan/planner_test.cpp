@@ -123,13 +123,6 @@ TEST_F(PlannerTest, PlainColoursInAStyleLayerAreFlatUnlessAStyleIsThere) {
     EXPECT_EQ(mixed->atlas->slots, 2);
 }
 
-TEST_F(PlannerTest, WhatIsKeptButNotDrawnIsSaid) {
-    Figure figure = headFigure();
-    EXPECT_TRUE(plan(figure)->notDrawn.empty());
-    figure.quality.tolerance = 0.01;
-    EXPECT_EQ(plan(figure)->notDrawn.size(), 1U);
-}
-
 TEST_F(PlannerTest, CamerasThatSeeNothingAreRefusedByName) {
     const auto with = [](auto change) {
         Figure figure = headFigure();
