@@ -49,7 +49,7 @@ AccuracyChart::AccuracyChart(QWidget* parent) : QWidget(parent) {
 
 void AccuracyChart::setStudy(std::shared_ptr<const accuracy::Study> study) {
     study_ = std::move(study);
-    setAccessibleDescription(study_ ? limitingWords(study_->limits, study_->metric) : QString());
+    setAccessibleDescription(study_ ? limitWords(study_->limits, study_->metric) : QString());
     update();
 }
 

@@ -338,7 +338,7 @@ void AccuracyPanel::showAnswer(const ToleranceAnswer& answer, bool applied) {
     const accuracy::ToleranceChoice& choice = *answer.choice;
     const QString delivered = errorWords(deliveredError(choice), metric);
     const QString settings = settingsWords(choice.quality);
-    const QString limits = limitingWords(choice.limits, metric);
+    const QString limits = limitWords(choice.limits, metric);
     if (!choice.reached)
         say(tr("Not reached: asked %1, the best settings deliver %2 (%3). The figure keeps the settings it had. %4")
                 .arg(asked, delivered, settings, limits));
@@ -358,9 +358,9 @@ void AccuracyPanel::showStudy(std::shared_ptr<const accuracy::Study> study) {
         QStringList lines{tr("As it is, the picture takes %1 and is off by %2.")
                               .arg(secondsWords(present.pictureSeconds),
                                    errorWords(present.measured.error.of(shown_->metric), shown_->metric)),
-                          limitingWords(shown_->limits, shown_->metric)};
+                          limitWords(shown_->limits, shown_->metric)};
         if (shown_->leftOut > 0)
-            lines << tr("%n settings were left out: the time was up.", nullptr, shown_->leftOut);
+            lines << tr("Settings left out because the time was up: %1.").arg(shown_->leftOut);
         findingWords_ = lines.join(" ");
     }
     showChoices();
@@ -385,7 +385,7 @@ void AccuracyPanel::showChoices() {
         choices_->setItem(at, 0, cell(choiceWords(name), errorWords(choice.asked.value, metric)));
         choices_->setItem(at, 1,
                           cell(choice.reached ? delivered : tr("%1 (not reached)").arg(delivered),
-                               limitingWords(choice.limits, metric)));
+                               limitWords(choice.limits, metric)));
         choices_->setItem(at, 2,
                           cell(row == shown_->rows.end() ? QString() : secondsWords(row->pictureSeconds), QString()));
         choices_->setItem(at, 3, cell(settings, settings));

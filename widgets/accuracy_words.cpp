@@ -121,7 +121,7 @@ QString settingsWords(const Quality& quality) {
     return words.join(", ");
 }
 
-QString limitingWords(const accuracy::Limiting& limits, ErrorMetric metric) {
+QString limitWords(const accuracy::Limiting& limits, ErrorMetric metric) {
     const QString error = errorWords(limits.error, metric);
     if (!limits.knob)
         return Words::tr("Nothing that can be set makes the error of %1 smaller.").arg(error);

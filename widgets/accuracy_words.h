@@ -23,7 +23,7 @@ std::size_t placeOfTolerance(const accuracy::Tolerance& tolerance);
 /// "step 0.25 voxel, pre-integrated, rays end at 0.001": what the search may change.
 QString settingsWords(const Quality& quality);
 /// The knob that keeps the error from being smaller, in a sentence.
-QString limitingWords(const accuracy::Limiting& limits, ErrorMetric metric);
+QString limitWords(const accuracy::Limiting& limits, ErrorMetric metric);
 /// A way of sampling of a study's series: "Pre-integration".
 QString methodWords(const std::string& method);
 /// One choice of a study, by its name: "Screen", "As asked".
