@@ -2,7 +2,7 @@
 
 #include "app/studio/action_table.h"
 #include "app/studio/studio_document.h"
-#include "core/base/pending_file.h"
+#include "core/style/png_writing.h"
 #include "widgets/accuracy_panel.h"
 #include "widgets/accuracy_words.h"
 #include "widgets/error_overlay.h"
@@ -141,15 +141,21 @@ void WindowAccuracy::findSettings(const accuracy::Tolerance& tolerance) {
     if (!figure || (now != AccuracyPanel::Work::none && now != AccuracyPanel::Work::search))
         return;
     working_ = figure;
+    auto model = std::make_shared<Figure>(*figure);
+    if (applied_ && figure->quality == *applied_)
+        model->quality = model_; // what an earlier search has lowered may rise again
     auto answer = std::make_shared<ToleranceAnswer>();
     panel_->setWork(AccuracyPanel::Work::search);
-    work_.want([answer, figure, tolerance, request = request(),
-                backend = backend_](Task& task) { *answer = findAnswer(*figure, request, *backend, tolerance, task); },
-               [this, answer] {
+    work_.want([answer, model, tolerance, request = request(),
+                backend = backend_](Task& task) { *answer = findAnswer(*model, request, *backend, tolerance, task); },
+               [this, answer, model] {
                    idle();
                    const Quality before = place_.document->figure()->quality;
-                   if (answer->choice && answer->choice->reached)
+                   if (answer->choice && answer->choice->reached) {
                        apply(*answer->choice);
+                       model_ = model->quality;
+                       applied_ = place_.document->figure()->quality;
+                   }
                    found_ = place_.document->figure();
                    panel_->showAnswer(*answer, !(found_->quality == before));
                });
@@ -248,6 +254,7 @@ void WindowAccuracy::forgetDocument() {
     stop();
     takeMapAway();
     found_.reset();
+    applied_.reset();
     studied_.reset();
     study_.reset();
     panel_->forget();

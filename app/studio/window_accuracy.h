@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace limner {
 
@@ -61,6 +62,8 @@ class WindowAccuracy : public QObject {
     unsigned generation_ = 0;               ///< of the document that all below are of
     std::shared_ptr<const Figure> working_; ///< what the work that is going on is about
     std::shared_ptr<const Figure> found_;   ///< what the panel's answer is about
+    std::optional<Quality> applied_;        ///< by the newest search that kept its tolerance
+    Quality model_;                         ///< that search's: the interpolation, gradients and rays that are no error
     std::shared_ptr<const Figure> studied_;
     std::shared_ptr<const accuracy::Study> study_;
     std::shared_ptr<const Figure> mapped_; ///< what the map is of; null: there is none
