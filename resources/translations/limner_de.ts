@@ -1660,10 +1660,6 @@
         <translation>Größter Kosinus zwischen Normale und Blickrichtung auf einer Linie.</translation>
     </message>
     <message>
-        <source>Largest error asked for; the step is chosen to meet it.</source>
-        <translation>Größter gewünschter Fehler; die Schrittweite wird danach gewählt.</translation>
-    </message>
-    <message>
         <source>Lasso</source>
         <translation>Lasso</translation>
     </message>
@@ -2826,6 +2822,42 @@
     <message>
         <source>Where labels without a place stand: in columns at the sides, on a ring around the middle, or free beside their points.</source>
         <translation>Wo Beschriftungen ohne Platz stehen: in Spalten an den Seiten, auf einem Ring um die Mitte oder frei neben ihren Punkten.</translation>
+    </message>
+    <message>
+        <source>Adaptive step</source>
+        <translation>Angepasster Schritt</translation>
+    </message>
+    <message>
+        <source>Largest error asked for; step and other settings are chosen to meet it. As a colour difference 3 is a draft, 1.5 fits screens, 0.7 print.</source>
+        <translation>Größter verlangter Fehler; Schrittweite und andere Einstellungen werden danach gewählt. Als Farbabstand ist 3 ein Entwurf, 1,5 passt für Bildschirme, 0,7 für Druck.</translation>
+    </message>
+    <message>
+        <source>Longer steps where nothing changes along the ray.</source>
+        <translation>Längere Schritte, wo sich auf dem Strahl nichts ändert.</translation>
+    </message>
+    <message>
+        <source>Measured as</source>
+        <translation>Gemessen als</translation>
+    </message>
+    <message>
+        <source>Of a transfer function; 0: as many as its narrowest feature needs.</source>
+        <translation>Einer Transferfunktion; 0: so viele, wie ihr schmalstes Merkmal braucht.</translation>
+    </message>
+    <message>
+        <source>Opacity from all values between two samples, not from one at their middle: thin peaks of a transfer function are not missed.</source>
+        <translation>Deckkraft aus allen Werten zwischen zwei Proben, nicht aus einem in ihrer Mitte: Schmale Spitzen einer Transferfunktion werden nicht übersehen.</translation>
+    </message>
+    <message>
+        <source>Pre-integration</source>
+        <translation>Vorintegration</translation>
+    </message>
+    <message>
+        <source>Table entries</source>
+        <translation>Tabelleneinträge</translation>
+    </message>
+    <message>
+        <source>What the tolerance bounds: the colour difference CIEDE2000 that 95 % of the pixels stay below, the largest difference of a pixel&apos;s channel (0 to 1), or the root mean square of these.</source>
+        <translation>Was die Toleranz begrenzt: den Farbabstand CIEDE2000, unter dem 95 % der Pixel bleiben, die größte Abweichung eines Kanals eines Pixels (0 bis 1) oder deren quadratisches Mittel.</translation>
     </message>
 </context>
 <context>
