@@ -1,5 +1,6 @@
 #include "app/studio/main_window.h"
 
+#include "app/studio/window_accuracy.h"
 #include "app/studio/window_annotations.h"
 #include "app/studio/window_background.h"
 #include "app/studio/window_documents.h"
@@ -61,7 +62,8 @@ void MainWindow::arrangePanels() {
     setTabPosition(Qt::RightDockWidgetArea, QTabWidget::East); // upright there is room for all their names
     QDockWidget* layers = panel("dock.layers");
     QDockWidget* transfer = panel("dock.transfer");
-    for (const char* name : {"dock.view", "dock.cleanup", "dock.annotations", "dock.history"}) // about the whole figure
+    for (const char* name :
+         {"dock.view", "dock.cleanup", "dock.annotations", "dock.accuracy", "dock.history"}) // about the whole figure
         if (QDockWidget* other = panel(name))
             tabifyDockWidget(layers, other);
     layers->raise();
@@ -80,6 +82,7 @@ void MainWindow::buildFeatures() {
     new WindowSlices(place);
     new WindowLooks(place, [this] { return thumbnail(); });
     new WindowHistory(place);
+    new WindowAccuracy(place);
     new WindowExport(place);
     new WindowDocuments(place);
     new WindowRecovery(place);

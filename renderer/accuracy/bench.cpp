@@ -61,6 +61,11 @@ PictureError Bench::verify(const Quality& quality) {
                         backgroundOf(figure_));
 }
 
+Picture Bench::draw(const Quality& quality) {
+    const auto plan = planOf(quality);
+    return drawProbe(*plan, {{{0, 0}, plan->size}}, backend_, {}, task_).picture;
+}
+
 ProbePicture Bench::whole(const Quality& quality) {
     const auto plan = planOf(quality);
     return drawProbe(*plan, {{{0, 0}, plan->size}}, backend_, {2, 0.3}, task_);

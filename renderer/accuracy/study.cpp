@@ -29,7 +29,7 @@ class Run {
     /// Row of a quality; nothing when the time is up.
     std::optional<std::size_t> add(const std::string& method, const Quality& quality) {
         if (elapsed() > options_.secondsBudget) {
-            skipped_ += 1;
+            study_.leftOut += 1;
             return std::nullopt;
         }
         task_.throwIfCancelled();
@@ -99,9 +99,10 @@ class Run {
     }
 
     void finish() {
-        study_.limiting = limitingKnob(bench_, bench_.figure().quality, options_.metric);
-        if (skipped_ > 0) {
-            study_.notes.push_back(std::to_string(skipped_) + " settings were left out: the time was up.");
+        study_.limits = limitingKnob(bench_, bench_.figure().quality, options_.metric);
+        study_.limiting = limitingWords(study_.limits, options_.metric);
+        if (study_.leftOut > 0) {
+            study_.notes.push_back(std::to_string(study_.leftOut) + " settings were left out: the time was up.");
         }
         findPareto();
         study_.seconds = elapsed();
@@ -129,7 +130,7 @@ class Run {
 
     void choose(const std::string& name, const Tolerance& tolerance) {
         if (elapsed() > options_.secondsBudget) {
-            skipped_ += 1;
+            study_.leftOut += 1;
             return;
         }
         try {
@@ -184,7 +185,6 @@ class Run {
     Task& task_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     double perProbe_ = 1;
-    int skipped_ = 0;
 };
 
 /// A line for each way of sampling that the figure can have.

@@ -60,7 +60,9 @@ struct Study {
     std::vector<std::size_t> pareto; ///< rows that no other one beats in both, by time
     std::vector<std::pair<std::string, ToleranceChoice>> choices;
     StepLimit limit;
-    std::string limiting; ///< one sentence
+    Limiting limits;      ///< of the figure as it is
+    std::string limiting; ///< the same as one sentence
+    int leftOut = 0;      ///< settings that were not measured: the time was up
     std::vector<std::string> notes;
     double seconds = 0; ///< that the study took
     LineError lines;    ///< of contours and silhouettes, as it is against the best

@@ -184,27 +184,32 @@ ToleranceChoice chooseQuality(Bench& bench, const Tolerance& tolerance) {
         }
     }
     choice.words = wordsOf(choice.quality, bench.knobs());
-    choice.limiting = limitingKnob(bench, choice.quality, tolerance.metric);
+    choice.limits = limitingKnob(bench, choice.quality, tolerance.metric);
+    choice.limiting = limitingWords(choice.limits, tolerance.metric);
     return choice;
 }
 
-std::string limitingKnob(Bench& bench, const Quality& quality, ErrorMetric metric) {
-    const double error = bench.measure(quality).error.of(metric);
-    std::string name;
-    double least = error;
+Limiting limitingKnob(Bench& bench, const Quality& quality, ErrorMetric metric) {
+    Limiting limits;
+    limits.error = limits.rest = bench.measure(quality).error.of(metric);
     for (const KnobLevels& knob : bench.knobs()) {
         const Quality raised = withLevel(quality, knob, knob.best());
-        const double rest = raised == quality ? error : bench.measure(raised).error.of(metric);
-        if (rest < least) {
-            least = rest;
-            name = std::string(nameOf(knob.knob)) + " (" + knob.words.back() + ")";
+        const double rest = raised == quality ? limits.error : bench.measure(raised).error.of(metric);
+        if (rest < limits.rest) {
+            limits.rest = rest;
+            limits.knob = knob.knob;
+            limits.best = knob.words.back();
         }
     }
-    if (name.empty()) {
-        return "Nothing that can be set makes the error of " + amount(error, metric) + " smaller.";
+    return limits;
+}
+
+std::string limitingWords(const Limiting& limits, ErrorMetric metric) {
+    if (!limits.knob) {
+        return "Nothing that can be set makes the error of " + amount(limits.error, metric) + " smaller.";
     }
-    return "The error of " + amount(error, metric) + " is limited by the " + name.substr(0, name.find(" (")) +
-           ": at its best" + name.substr(name.find(" (")) + " " + amount(least, metric) + " would be left.";
+    return "The error of " + amount(limits.error, metric) + " is limited by the " + nameOf(*limits.knob) +
+           ": at its best (" + limits.best + ") " + amount(limits.rest, metric) + " would be left.";
 }
 
 } // namespace limner::accuracy

@@ -3,6 +3,7 @@
 #include "renderer/accuracy/knobs.h"
 #include "renderer/accuracy/model_reference.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,8 @@ class Bench {
     const Measured& measure(const Quality& quality);
     /// The same on the tiles that no search has seen.
     PictureError verify(const Quality& quality);
+    /// A whole picture, once and without a clock.
+    Picture draw(const Quality& quality);
     /// A whole picture, with the seconds that it took.
     ProbePicture whole(const Quality& quality);
     /// Some layer has contours or silhouettes.
@@ -82,6 +85,14 @@ class Bench {
     std::vector<std::unique_ptr<Measured>> measured_;
 };
 
+/// What keeps the error of a quality from being smaller.
+struct Limiting {
+    std::optional<Knob> knob; ///< whose rise to its best leaves the least error; nothing: no knob makes it smaller
+    std::string best;         ///< that knob's best level
+    double error = 0;
+    double rest = 0; ///< with the knob at its best
+};
+
 /// The cheapest quality that keeps a tolerance, as found.
 struct ToleranceChoice {
     Tolerance asked;
@@ -92,7 +103,8 @@ struct ToleranceChoice {
     double errorBar = 0;      ///< of the reference
     double probeSeconds = 0;  ///< of the searched half
     std::string words;        ///< the settings
-    std::string limiting;     ///< one sentence: what a smaller error would have to change
+    Limiting limits;          ///< what a smaller error would have to change
+    std::string limiting;     ///< the same as one sentence
 };
 
 /// Greedy search (spec accuracy.md 1.9): from the cheapest levels the knob that removes most error for its time is
@@ -102,7 +114,8 @@ struct ToleranceChoice {
 /// is over a tenth of the tolerance.
 ToleranceChoice chooseQuality(Bench& bench, const Tolerance& tolerance);
 
-/// The knob whose error is the greatest in `quality`, in one sentence; of those that can be raised.
-std::string limitingKnob(Bench& bench, const Quality& quality, ErrorMetric metric);
+/// The knob whose error is the greatest in `quality`, of those that can be raised; and the same in one sentence.
+Limiting limitingKnob(Bench& bench, const Quality& quality, ErrorMetric metric);
+std::string limitingWords(const Limiting& limits, ErrorMetric metric);
 
 } // namespace limner::accuracy

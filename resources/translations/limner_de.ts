@@ -2,6 +2,161 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
+    <name>AccuracyWords</name>
+    <message>
+        <source>Draft</source>
+        <translation>Entwurf</translation>
+    </message>
+    <message>
+        <source>Screen</source>
+        <translation>Bildschirm</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>the step along the rays</source>
+        <translation>die Schrittweite auf den Strahlen</translation>
+    </message>
+    <message>
+        <source>pre-integration</source>
+        <translation>die Vorintegration</translation>
+    </message>
+    <message>
+        <source>adaptive steps</source>
+        <translation>angepasste Schritte</translation>
+    </message>
+    <message>
+        <source>the early end of the rays</source>
+        <translation>das frühe Ende der Strahlen</translation>
+    </message>
+    <message>
+        <source>the size of the tables</source>
+        <translation>die Größe der Tabellen</translation>
+    </message>
+    <message>
+        <source>the precision of the voxels</source>
+        <translation>die Genauigkeit der Voxel</translation>
+    </message>
+    <message>
+        <source>the interpolation</source>
+        <translation>die Interpolation</translation>
+    </message>
+    <message>
+        <source>the gradient</source>
+        <translation>der Gradient</translation>
+    </message>
+    <message>
+        <source>the number of rays per pixel</source>
+        <translation>die Zahl der Strahlen je Pixel</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>full</source>
+        <translation>voll</translation>
+    </message>
+    <message>
+        <source>all it needs</source>
+        <translation>so viel wie nötig</translation>
+    </message>
+    <message>
+        <source>tricubic</source>
+        <translation>trikubisch</translation>
+    </message>
+    <message>
+        <source>smooth</source>
+        <translation>weich</translation>
+    </message>
+    <message>
+        <source>of fourth order</source>
+        <translation>vierter Ordnung</translation>
+    </message>
+    <message>
+        <source>of a B-spline</source>
+        <translation>eines B-Splines</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>linear</translation>
+    </message>
+    <message>
+        <source>Largest difference</source>
+        <translation>Größte Abweichung</translation>
+    </message>
+    <message>
+        <source>Root mean square</source>
+        <translation>Quadratisches Mittel</translation>
+    </message>
+    <message>
+        <source>Colour difference (CIEDE2000)</source>
+        <translation>Farbabstand (CIEDE2000)</translation>
+    </message>
+    <message>
+        <source>ΔE %1</source>
+        <translation>ΔE %1</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>step %1 voxel</source>
+        <translation>Schritt %1 Voxel</translation>
+    </message>
+    <message>
+        <source>pre-integrated</source>
+        <translation>vorintegriert</translation>
+    </message>
+    <message>
+        <source>rays end at %1</source>
+        <translation>Strahlen enden bei %1</translation>
+    </message>
+    <message>
+        <source>rays go on to their end</source>
+        <translation>Strahlen gehen bis zum Ende</translation>
+    </message>
+    <message>
+        <source>%1 rays per pixel</source>
+        <translation>%1 Strahlen je Pixel</translation>
+    </message>
+    <message>
+        <source>Nothing that can be set makes the error of %1 smaller.</source>
+        <translation>Nichts, was sich einstellen lässt, macht den Fehler von %1 kleiner.</translation>
+    </message>
+    <message>
+        <source>What limits the error of %1 is %2: at its best (%3), %4 would be left.</source>
+        <translation>Den Fehler von %1 begrenzt: %2. Auf bester Stufe (%3) bliebe %4.</translation>
+    </message>
+    <message>
+        <source>Pre-integration</source>
+        <translation>Vorintegration</translation>
+    </message>
+    <message>
+        <source>Point samples</source>
+        <translation>Punktproben</translation>
+    </message>
+    <message>
+        <source>As asked</source>
+        <translation>Wie verlangt</translation>
+    </message>
+</context>
+<context>
     <name>Actions</name>
     <message>
         <source>&amp;Open…</source>
@@ -486,6 +641,22 @@
     <message>
         <source>What draws the pictures: a graphics card by OpenGL, or the processor; the change shows at the next start</source>
         <translation>Was die Bilder zeichnet: eine Grafikkarte mit OpenGL oder der Prozessor; die Änderung gilt ab dem nächsten Start</translation>
+    </message>
+    <message>
+        <source>Find settings for the &amp;accuracy</source>
+        <translation>Einstellungen für die &amp;Genauigkeit finden</translation>
+    </message>
+    <message>
+        <source>Find the settings that keep the chosen error in the least time, and set them</source>
+        <translation>Die Einstellungen, die den gewählten Fehler in der kürzesten Zeit einhalten, finden und setzen</translation>
+    </message>
+    <message>
+        <source>Show &amp;error over the picture</source>
+        <translation>F&amp;ehler über dem Bild zeigen</translation>
+    </message>
+    <message>
+        <source>Lay over the picture how far each pixel is off, until the figure or the view changes</source>
+        <translation>Über das Bild legen, wie weit jedes Pixel daneben liegt, bis sich Figur oder Ansicht ändern</translation>
     </message>
 </context>
 <context>
@@ -1487,10 +1658,6 @@
     <message>
         <source>Largest cosine between normal and view on a line.</source>
         <translation>Größter Kosinus zwischen Normale und Blickrichtung auf einer Linie.</translation>
-    </message>
-    <message>
-        <source>Largest error asked for; the step is chosen to meet it.</source>
-        <translation>Größter gewünschter Fehler; die Schrittweite wird danach gewählt.</translation>
     </message>
     <message>
         <source>Lasso</source>
@@ -2656,6 +2823,42 @@
         <source>Where labels without a place stand: in columns at the sides, on a ring around the middle, or free beside their points.</source>
         <translation>Wo Beschriftungen ohne Platz stehen: in Spalten an den Seiten, auf einem Ring um die Mitte oder frei neben ihren Punkten.</translation>
     </message>
+    <message>
+        <source>Adaptive step</source>
+        <translation>Angepasster Schritt</translation>
+    </message>
+    <message>
+        <source>Largest error asked for; step and other settings are chosen to meet it. As a colour difference 3 is a draft, 1.5 fits screens, 0.7 print.</source>
+        <translation>Größter verlangter Fehler; Schrittweite und andere Einstellungen werden danach gewählt. Als Farbabstand ist 3 ein Entwurf, 1,5 passt für Bildschirme, 0,7 für Druck.</translation>
+    </message>
+    <message>
+        <source>Longer steps where nothing changes along the ray.</source>
+        <translation>Längere Schritte, wo sich auf dem Strahl nichts ändert.</translation>
+    </message>
+    <message>
+        <source>Measured as</source>
+        <translation>Gemessen als</translation>
+    </message>
+    <message>
+        <source>Of a transfer function; 0: as many as its narrowest feature needs.</source>
+        <translation>Einer Transferfunktion; 0: so viele, wie ihr schmalstes Merkmal braucht.</translation>
+    </message>
+    <message>
+        <source>Opacity from all values between two samples, not from one at their middle: thin peaks of a transfer function are not missed.</source>
+        <translation>Deckkraft aus allen Werten zwischen zwei Proben, nicht aus einem in ihrer Mitte: Schmale Spitzen einer Transferfunktion werden nicht übersehen.</translation>
+    </message>
+    <message>
+        <source>Pre-integration</source>
+        <translation>Vorintegration</translation>
+    </message>
+    <message>
+        <source>Table entries</source>
+        <translation>Tabelleneinträge</translation>
+    </message>
+    <message>
+        <source>What the tolerance bounds: the colour difference CIEDE2000 that 95 % of the pixels stay below, the largest difference of a pixel&apos;s channel (0 to 1), or the root mean square of these.</source>
+        <translation>Was die Toleranz begrenzt: den Farbabstand CIEDE2000, unter dem 95 % der Pixel bleiben, die größte Abweichung eines Kanals eines Pixels (0 bis 1) oder deren quadratisches Mittel.</translation>
+    </message>
 </context>
 <context>
     <name>ExtractionWords</name>
@@ -2830,6 +3033,212 @@
     <message>
         <source>%1: %2 to %3 HU</source>
         <translation>%1: %2 bis %3 HU</translation>
+    </message>
+</context>
+<context>
+    <name>limner::AccuracyChart</name>
+    <message>
+        <source>Error against run time, chart</source>
+        <translation>Fehler gegen Laufzeit, Diagramm</translation>
+    </message>
+    <message>
+        <source>Time of the whole picture, s</source>
+        <translation>Zeit für das ganze Bild, s</translation>
+    </message>
+    <message>
+        <source>%1, order %2</source>
+        <translation>%1, Ordnung %2</translation>
+    </message>
+    <message>
+        <source>As it is</source>
+        <translation>Wie es ist</translation>
+    </message>
+    <message>
+        <source>%1: %2 in %3</source>
+        <translation>%1: %2 in %3</translation>
+    </message>
+</context>
+<context>
+    <name>limner::AccuracyPanel</name>
+    <message>
+        <source>Find settings</source>
+        <translation>Einstellungen finden</translation>
+    </message>
+    <message>
+        <source>Find the settings that keep this error in the least time, and set them</source>
+        <translation>Die Einstellungen, die diesen Fehler in der kürzesten Zeit einhalten, finden und setzen</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Was gefunden wurde</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Untersuchen</translation>
+    </message>
+    <message>
+        <source>Measure what every setting costs in error and in time</source>
+        <translation>Messen, was jede Einstellung an Fehler und an Zeit kostet</translation>
+    </message>
+    <message>
+        <source>Save report…</source>
+        <translation>Bericht sichern …</translation>
+    </message>
+    <message>
+        <source>Write the study as a page with charts, as a table or as JSON</source>
+        <translation>Die Untersuchung als Seite mit Diagrammen, als Tabelle oder als JSON schreiben</translation>
+    </message>
+    <message>
+        <source>What the study found</source>
+        <translation>Was die Untersuchung ergab</translation>
+    </message>
+    <message>
+        <source>Show error over the picture</source>
+        <translation>Fehler über dem Bild zeigen</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>How far the picture may be from one without any error of sampling; the settings for it are found when you let go</source>
+        <translation>Wie weit das Bild von einem ohne jeden Abtastfehler entfernt sein darf; die Einstellungen dafür werden beim Loslassen gefunden</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>Eigene</translation>
+    </message>
+    <message>
+        <source>Largest error</source>
+        <translation>Größter Fehler</translation>
+    </message>
+    <message>
+        <source>The error that the picture may have; another number is a tolerance of your own</source>
+        <translation>Der Fehler, den das Bild haben darf; eine andere Zahl ist eine eigene Toleranz</translation>
+    </message>
+    <message>
+        <source>Colour difference CIEDE2000 that 95 % of the pixels stay below; 1 is just seen</source>
+        <translation>Farbabstand CIEDE2000, unter dem 95 % der Pixel bleiben; 1 sieht man gerade noch</translation>
+    </message>
+    <message>
+        <source>Largest difference of a channel of a pixel, as a share of the full range</source>
+        <translation>Größte Abweichung eines Kanals eines Pixels, als Anteil des ganzen Bereichs</translation>
+    </message>
+    <message>
+        <source>Root of the mean square of the differences, as a share of the full range</source>
+        <translation>Wurzel aus dem mittleren Quadrat der Abweichungen, als Anteil des ganzen Bereichs</translation>
+    </message>
+    <message>
+        <source>Measured as</source>
+        <translation>Gemessen als</translation>
+    </message>
+    <message>
+        <source>What the number bounds</source>
+        <translation>Was die Zahl begrenzt</translation>
+    </message>
+    <message>
+        <source>Error at most</source>
+        <translation>Fehler höchstens</translation>
+    </message>
+    <message>
+        <source>Error against run time</source>
+        <translation>Fehler gegen Laufzeit</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Time for the study</source>
+        <translation>Zeit für die Untersuchung</translation>
+    </message>
+    <message>
+        <source>Nothing new is measured after so many seconds</source>
+        <translation>Nach so vielen Sekunden wird nichts Neues mehr gemessen</translation>
+    </message>
+    <message>
+        <source>Cheapest settings for each tolerance</source>
+        <translation>Günstigste Einstellungen für jede Toleranz</translation>
+    </message>
+    <message>
+        <source>Delivered</source>
+        <translation>Erreicht</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>The error on places that the search had not seen</source>
+        <translation>Der Fehler an Stellen, die die Suche nicht gesehen hatte</translation>
+    </message>
+    <message>
+        <source>Time that the whole picture takes</source>
+        <translation>Zeit, die das ganze Bild braucht</translation>
+    </message>
+    <message>
+        <source>Draws the picture with everything at its best and lays over it how far each pixel is off, until the figure or the view changes</source>
+        <translation>Zeichnet das Bild mit allem auf bester Stufe und legt darüber, wie weit jedes Pixel daneben liegt, bis sich Figur oder Ansicht ändern</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Stop this; nothing is left behind</source>
+        <translation>Dies anhalten; es bleibt nichts zurück</translation>
+    </message>
+    <message>
+        <source>Finding settings</source>
+        <translation>Einstellungen suchen</translation>
+    </message>
+    <message>
+        <source>Measuring</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Drawing the error</source>
+        <translation>Fehler zeichnen</translation>
+    </message>
+    <message>
+        <source>The figure has changed since.</source>
+        <translation>Die Figur hat sich seitdem geändert.</translation>
+    </message>
+    <message>
+        <source>It cannot be told which settings keep %1: the finest picture that can be drawn is itself only sure to %2. Ask for a larger error, or soften what is steep in the transfer functions.</source>
+        <translation>Welche Einstellungen %1 einhalten, lässt sich nicht sagen: Das feinste Bild, das sich zeichnen lässt, ist selbst nur auf %2 sicher. Einen größeren Fehler verlangen oder mildern, was in den Transferfunktionen steil ist.</translation>
+    </message>
+    <message>
+        <source>Not reached: asked %1, the best settings deliver %2 (%3). The figure keeps the settings it had. %4</source>
+        <translation>Nicht erreicht: verlangt %1, die besten Einstellungen erreichen %2 (%3). Die Figur behält ihre Einstellungen. %4</translation>
+    </message>
+    <message>
+        <source>Delivered %1, asked %2: %3. %4</source>
+        <translation>Erreicht %1, verlangt %2: %3. %4</translation>
+    </message>
+    <message>
+        <source>Delivered %1, asked %2: %3, as the figure has it already. %4</source>
+        <translation>Erreicht %1, verlangt %2: %3, wie es die Figur schon hat. %4</translation>
+    </message>
+    <message>
+        <source>As it is, the picture takes %1 and is off by %2.</source>
+        <translation>Wie es ist, braucht das Bild %1 und liegt um %2 daneben.</translation>
+    </message>
+    <message>
+        <source>%1 (not reached)</source>
+        <translation>%1 (nicht erreicht)</translation>
+    </message>
+    <message>
+        <source>Settings left out because the time was up: %1.</source>
+        <translation>Weggelassene Einstellungen, weil die Zeit um war: %1.</translation>
     </message>
 </context>
 <context>
@@ -3744,6 +4153,17 @@
     <message>
         <source>Drag the box around a ball (Alt: from its centre, Shift: a circle)</source>
         <translation>Das Rechteck um eine Kugel ziehen (Alt: von ihrer Mitte aus, Umschalt: ein Kreis)</translation>
+    </message>
+</context>
+<context>
+    <name>limner::ErrorOverlay</name>
+    <message>
+        <source>Error of every pixel</source>
+        <translation>Fehler jedes Pixels</translation>
+    </message>
+    <message>
+        <source>Error of the picture</source>
+        <translation>Fehler des Bildes</translation>
     </message>
 </context>
 <context>
@@ -7506,6 +7926,41 @@ Label %2, %3 Voxel</translation>
     <message>
         <source>Drag over what the chosen layer is to show too · Esc: leave</source>
         <translation>Über das ziehen, was die gewählte Ebene auch zeigen soll · Esc: verlassen</translation>
+    </message>
+</context>
+<context>
+    <name>limner::WindowAccuracy</name>
+    <message>
+        <source>Accuracy</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Set accuracy: %1</source>
+        <translation>Genauigkeit setzen: %1</translation>
+    </message>
+    <message>
+        <source>Stopped: the figure or the view has changed.</source>
+        <translation>Angehalten: Figur oder Ansicht haben sich geändert.</translation>
+    </message>
+    <message>
+        <source>The error is no longer shown: the picture has changed</source>
+        <translation>Der Fehler wird nicht mehr gezeigt: Das Bild hat sich geändert</translation>
+    </message>
+    <message>
+        <source>Save report</source>
+        <translation>Bericht sichern</translation>
+    </message>
+    <message>
+        <source>Page with charts (*.html);;Table (*.csv);;JSON (*.json)</source>
+        <translation>Seite mit Diagrammen (*.html);;Tabelle (*.csv);;JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>Saving the report</source>
+        <translation>Bericht sichern</translation>
+    </message>
+    <message>
+        <source>The report is saved: %1</source>
+        <translation>Der Bericht ist gesichert: %1</translation>
     </message>
 </context>
 <context>

@@ -52,7 +52,15 @@ RULES = {
     "renderer/text": (("core", "renderer/text"), {"glm"}, {"fonts"}),
     "renderer/distributed": (("core", "renderer"), {"glm"}, {"tbb", "mpi", "system"}),
     "widgets": (
-        ("core", "widgets", "renderer/*.h", "renderer/plan/*.h", "renderer/export/*.h", "renderer/interactive/*.h"),
+        (
+            "core",
+            "widgets",
+            "renderer/*.h",
+            "renderer/accuracy/*.h",
+            "renderer/plan/*.h",
+            "renderer/export/*.h",
+            "renderer/interactive/*.h",
+        ),
         {"glm", "qt"},
         {"tbb"},
     ),
