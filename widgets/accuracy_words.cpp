@@ -31,7 +31,6 @@ QString knobName(accuracy::Knob knob) {
     switch (knob) {
     case Knob::step: return Words::tr("the step along the rays");
     case Knob::preintegration: return Words::tr("pre-integration");
-    case Knob::adaptiveStep: return Words::tr("adaptive steps");
     case Knob::termination: return Words::tr("the early end of the rays");
     case Knob::tableEntries: return Words::tr("the size of the tables");
     case Knob::precision: return Words::tr("the precision of the voxels");
@@ -109,8 +108,6 @@ QString settingsWords(const Quality& quality) {
     QStringList words{Words::tr("step %1 voxel").arg(number(quality.stepVoxels))};
     if (quality.preintegration)
         words << Words::tr("pre-integrated");
-    if (quality.adaptiveStep)
-        words << Words::tr("adaptive steps");
     words << (quality.earlyTermination > 0 ? Words::tr("rays end at %1").arg(number(quality.earlyTermination))
                                            : Words::tr("rays go on to their end"));
     if (const QString way = interpolationWords(quality.interpolation); quality.interpolation != Interpolation::linear)

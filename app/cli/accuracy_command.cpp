@@ -2,6 +2,7 @@
 
 #include "app/cli/console.h"
 #include "app/cli/facts.h"
+#include "app/cli/scene_test.h"
 #include "core/base/pending_file.h"
 #include "core/style/png_writing.h"
 #include "renderer/export/thread_limit.h"
@@ -24,6 +25,7 @@ constexpr double kStudySize = 512; // pixels of the longer edge, where no size w
 constexpr const char* kExamples = R"(Examples:
   limner accuracy skull.limner -o report.html
   limner accuracy head.nii.gz --preset skull --tolerance print --apply --json
+  limner accuracy --self-test
   limner accuracy skull.limner --knobs step,pre-integration --metric max -o steps.csv
 )";
 
@@ -71,11 +73,13 @@ void AccuracyCommand::declare(CLI::App& app) {
         "settings for draft, screen, print and reference. Exit code 6 where --tolerance is not reached,\n"
         "7 where the reference is not good enough for it, 8 for pixels that are no numbers.");
     app.footer(kExamples);
-    figure_.declareInput(app, "FIGURE-or-VOLUME", "A .limner project, a figure.json or a scan");
+    figure_.declareInput(app, "FIGURE-or-VOLUME", "A .limner project, a figure.json or a scan", false);
     app.add_option("-o,--output", out_, "The report: .html with charts and an error map, .csv or .json")
         ->option_text("FILE");
     tolerance_.declare(app, "Also find the cheapest settings for this");
     app.add_flag("--apply", apply_, "Write the settings found for --tolerance into the project");
+    app.add_flag("--self-test", selfTest_,
+                 "No figure: draw the scenes with known results (A1 to A8) on every backend, or on --backend's");
     app.add_option("--knobs", knobs_, "Only these, by comma: step, pre-integration, early end, ... [all]")
         ->option_text("LIST");
     app.add_option("--time-budget", timeBudget_, "Seconds after which nothing new is measured [60]")
@@ -88,6 +92,9 @@ void AccuracyCommand::declare(CLI::App& app) {
 }
 
 void AccuracyCommand::checkRequest() const {
+    if (figure_.file().empty()) {
+        throw Error(ErrorKind::usage, {"wrong usage", "", "there is no figure", "name a figure, or add --self-test"});
+    }
     const std::string ending = std::filesystem::path(out_).extension().string();
     if (!out_.empty() && ending != ".html" && ending != ".csv" && ending != ".json") {
         throw Error(ErrorKind::usage, {"cannot write the report", out_, "its name must end in .html, .csv or .json",
@@ -138,6 +145,9 @@ void AccuracyCommand::apply(Document& document, const accuracy::Study& study, Co
 }
 
 int AccuracyCommand::run(Console& console) {
+    if (selfTest_) {
+        return runSceneTest(backend_.name(), console);
+    }
     checkRequest();
     accuracy::StudyOptions options;
     options.knobs = knobs();

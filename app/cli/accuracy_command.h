@@ -28,6 +28,7 @@ class AccuracyCommand : public Command {
     std::string knobs_;
     double timeBudget_ = 60;
     bool apply_ = false;
+    bool selfTest_ = false;
 };
 
 } // namespace limner::cli

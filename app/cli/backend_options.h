@@ -17,6 +17,8 @@ class BackendOptions {
     void declare(CLI::App& app);
     /// Throws Error(usage) and Error(noOpenGl).
     [[nodiscard]] std::unique_ptr<Backend> make() const;
+    /// As it was asked for: "auto", "cpu", ...
+    [[nodiscard]] const std::string& name() const { return backend_; }
 
   private:
     std::string backend_ = "auto";

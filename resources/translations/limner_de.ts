@@ -28,10 +28,6 @@
         <translation>die Vorintegration</translation>
     </message>
     <message>
-        <source>adaptive steps</source>
-        <translation>angepasste Schritte</translation>
-    </message>
-    <message>
         <source>the early end of the rays</source>
         <translation>das frühe Ende der Strahlen</translation>
     </message>
@@ -2824,16 +2820,8 @@
         <translation>Wo Beschriftungen ohne Platz stehen: in Spalten an den Seiten, auf einem Ring um die Mitte oder frei neben ihren Punkten.</translation>
     </message>
     <message>
-        <source>Adaptive step</source>
-        <translation>Angepasster Schritt</translation>
-    </message>
-    <message>
         <source>Largest error asked for; step and other settings are chosen to meet it. As a colour difference 3 is a draft, 1.5 fits screens, 0.7 print.</source>
         <translation>Größter verlangter Fehler; Schrittweite und andere Einstellungen werden danach gewählt. Als Farbabstand ist 3 ein Entwurf, 1,5 passt für Bildschirme, 0,7 für Druck.</translation>
-    </message>
-    <message>
-        <source>Longer steps where nothing changes along the ray.</source>
-        <translation>Längere Schritte, wo sich auf dem Strahl nichts ändert.</translation>
     </message>
     <message>
         <source>Measured as</source>

@@ -1,5 +1,7 @@
 #include "program_run.h"
 
+#include <set>
+
 namespace limner {
 namespace {
 
@@ -62,6 +64,18 @@ TEST_F(Accuracy, ATolerancesPictureSaysWhatItDelivers) {
     EXPECT_TRUE(tolerance.at("reached").get<bool>());
     EXPECT_LE(tolerance.at("delivered").get<double>(), 1.5);
     EXPECT_FALSE(tolerance.at("settings").get<std::string>().empty());
+}
+
+TEST_F(Accuracy, TestsTheScenesWithKnownResults) {
+    const auto result = run({"accuracy", "--self-test", "--backend", "cpu", "--json"});
+    EXPECT_EQ(result.code, 0) << result.out;
+    const auto facts = result.facts();
+    EXPECT_TRUE(facts.at("passed").get<bool>());
+    std::set<std::string> scenes;
+    for (const auto& row : facts.at("scenes"))
+        scenes.insert(row.at("scene").get<std::string>());
+    EXPECT_EQ(scenes, (std::set<std::string>{"A1", "A2", "A3", "A4", "A5", "A6", "A7", "A8"}));
+    EXPECT_EQ(run({"accuracy"}).code, 2) << "a figure is missing";
 }
 
 TEST_F(Accuracy, WhatCannotBeToldIsExitCode7) {
