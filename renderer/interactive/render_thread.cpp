@@ -163,12 +163,11 @@ bool RenderThread::renderStage(const Numbered& job, const Coarseness& coarseness
     if (!enter(Stage::planning, job, planning))
         return false;
     const Clock::time_point start = Clock::now();
-    const PlanRequest wish{DraftPace::pixels(job.view.size, coarseness),
-                           coarseness.stepScale,
-                           coarseness.subPixels,
-                           true,
-                           !last || job.view.draftsOnly,
-                           std::nullopt};
+    PlanRequest wish;
+    wish.size = DraftPace::pixels(job.view.size, coarseness);
+    wish.stepScale = coarseness.stepScale;
+    wish.subPixels = coarseness.subPixels;
+    wish.moving = !last || job.view.draftsOnly;
     const std::shared_ptr<const RenderPlan> plan = plan_(*job.view.figure, wish, *planning);
     const Clock::time_point planned = Clock::now();
     pace_.prepared(millisecondsBetween(start, planned));
