@@ -3228,6 +3228,22 @@
         <source>Settings left out because the time was up: %1.</source>
         <translation>Weggelassene Einstellungen, weil die Zeit um war: %1.</translation>
     </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>The time was up</source>
+        <translation>Die Zeit war um</translation>
+    </message>
+    <message>
+        <source>cannot be told</source>
+        <translation>nicht zu sagen</translation>
+    </message>
+    <message>
+        <source>The finest picture that can be drawn is itself not sure enough</source>
+        <translation>Das feinste Bild, das sich zeichnen lässt, ist selbst nicht sicher genug</translation>
+    </message>
 </context>
 <context>
     <name>limner::Actions</name>
