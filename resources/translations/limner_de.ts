@@ -132,14 +132,6 @@
         <translation>%1 Strahlen je Pixel</translation>
     </message>
     <message>
-        <source>Nothing that can be set makes the error of %1 smaller.</source>
-        <translation>Nichts, was sich einstellen lässt, macht den Fehler von %1 kleiner.</translation>
-    </message>
-    <message>
-        <source>What limits the error of %1 is %2: at its best (%3), %4 would be left.</source>
-        <translation>Den Fehler von %1 begrenzt: %2. Auf bester Stufe (%3) bliebe %4.</translation>
-    </message>
-    <message>
         <source>Pre-integration</source>
         <translation>Vorintegration</translation>
     </message>
@@ -150,6 +142,14 @@
     <message>
         <source>As asked</source>
         <translation>Wie verlangt</translation>
+    </message>
+    <message>
+        <source>Nothing that can be set makes the error smaller.</source>
+        <translation>Nichts, was sich einstellen lässt, macht den Fehler kleiner.</translation>
+    </message>
+    <message>
+        <source>What limits the error is %1: at its best (%2), %3 would be left.</source>
+        <translation>Den Fehler begrenzt: %1. Auf bester Stufe (%2) bliebe %3.</translation>
     </message>
 </context>
 <context>
