@@ -390,6 +390,20 @@ void AccuracyPanel::showChoices() {
                           cell(row == shown_->rows.end() ? QString() : secondsWords(row->pictureSeconds), QString()));
         choices_->setItem(at, 3, cell(settings, settings));
     }
+    for (const accuracy::NamedTolerance& named : accuracy::namedTolerances()) {
+        const auto measured = [&](const auto& pair) { return pair.first == std::string("for ") + named.name; };
+        if (std::ranges::any_of(shown_->choices, measured))
+            continue;
+        const int at = choices_->rowCount();
+        choices_->insertRow(at);
+        choices_->setItem(
+            at, 0, cell(toleranceName(named.tolerance), errorWords(named.tolerance.value, named.tolerance.metric)));
+        choices_->setItem(
+            at, 1,
+            shown_->leftOut > 0
+                ? cell(tr("not measured"), tr("The time was up"))
+                : cell(tr("cannot be told"), tr("The finest picture that can be drawn is itself not sure enough")));
+    }
     choices_->resizeRowsToContents();
     int height = choices_->horizontalHeader()->sizeHint().height() + 2 * choices_->frameWidth();
     for (int i = 0; i < choices_->rowCount(); ++i)

@@ -119,11 +119,10 @@ QString settingsWords(const Quality& quality) {
 }
 
 QString limitWords(const accuracy::Limiting& limits, ErrorMetric metric) {
-    const QString error = errorWords(limits.error, metric);
     if (!limits.knob)
-        return Words::tr("Nothing that can be set makes the error of %1 smaller.").arg(error);
-    return Words::tr("What limits the error of %1 is %2: at its best (%3), %4 would be left.")
-        .arg(error, knobName(*limits.knob), levelWords(limits.best), errorWords(limits.rest, metric));
+        return Words::tr("Nothing that can be set makes the error smaller.");
+    return Words::tr("What limits the error is %1: at its best (%2), %3 would be left.")
+        .arg(knobName(*limits.knob), levelWords(limits.best), errorWords(limits.rest, metric));
 }
 
 QString methodWords(const std::string& method) {

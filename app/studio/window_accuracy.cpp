@@ -20,13 +20,14 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace limner {
 namespace {
 
 constexpr double kLongestEdge = 512; // pixels; a study of that takes less than a minute
-constexpr double kWorstShown = 10;   // CIEDE2000 that is black on the map, as in reports
 
 enum class Qualities { matter, doNot };
 
@@ -50,15 +51,31 @@ std::string reportText(const std::string& ending, const accuracy::Study& study, 
                                : accuracy::reportHtml(study, figure);
 }
 
+/// The CIEDE2000 that is black on the map: a round number that all but a hundredth of the pixels stay below, so that
+/// one sees where the error is, however small.
+double worstShown(const Picture& picture, const Picture& best, const glm::dvec3& background) {
+    std::vector<float> errors = accuracy::colourDifferences(picture, best, background);
+    constexpr std::size_t kHundred = 100;
+    const std::size_t below = errors.size() - 1 - errors.size() / kHundred;
+    std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(below), errors.end());
+    for (const double worst : {0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0})
+        if (errors[below] <= worst)
+            return worst;
+    return 100;
+}
+
 /// A figure as it is, and with everything at its best.
 struct Pair {
     Picture picture;
     Picture best;
 };
 
-Pair drawPair(const Figure& figure, const PlanRequest& request, const Backend& backend, Task& task) {
+Pair drawPair(const Figure& figure, const Quality& model, const PlanRequest& request, const Backend& backend,
+              Task& task) {
     constexpr double kKnown = 0.1, kDrawn = 0.3; // of the progress
-    accuracy::Bench bench(figure, request, backend, task);
+    Figure modelled = figure;
+    modelled.quality = model;
+    accuracy::Bench bench(std::move(modelled), request, backend, task);
     task.progress(kKnown);
     Pair pair;
     pair.picture = bench.draw(figure.quality);
@@ -90,7 +107,8 @@ ToleranceAnswer findAnswer(const Figure& figure, const PlanRequest& request, con
 WindowAccuracy::WindowAccuracy(const Workplace& place)
     : QObject(place.window), place_(place), backend_(place.engine.makeBackend()), panel_(new AccuracyPanel),
       overlay_(new ErrorOverlay(place.viewport)), work_(tr("Accuracy"), this) {
-    place_.addDock("dock.accuracy", tr("Accuracy"), panel_, Qt::RightDockWidgetArea);
+    place_.addDock("dock.accuracy", tr("Accuracy"), panel_, Qt::RightDockWidgetArea)
+        ->hide(); // until it is wanted: the panels beside it are the ones that one draws with
     connectPanel();
     connectWork();
     connect(place_.document, &StudioDocument::changed, this, &WindowAccuracy::showFigure);
@@ -135,6 +153,11 @@ PlanRequest WindowAccuracy::request() const {
     return request;
 }
 
+Quality WindowAccuracy::modelOf(const Figure& figure) const {
+    return applied_ && figure.quality == *applied_ ? model_
+                                                   : figure.quality; // what a search has lowered may rise again
+}
+
 void WindowAccuracy::findSettings(const accuracy::Tolerance& tolerance) {
     const auto figure = place_.document->figure();
     const AccuracyPanel::Work now = panel_->work();
@@ -142,8 +165,7 @@ void WindowAccuracy::findSettings(const accuracy::Tolerance& tolerance) {
         return;
     working_ = figure;
     auto model = std::make_shared<Figure>(*figure);
-    if (applied_ && figure->quality == *applied_)
-        model->quality = model_; // what an earlier search has lowered may rise again
+    model->quality = modelOf(*figure);
     auto answer = std::make_shared<ToleranceAnswer>();
     panel_->setWork(AccuracyPanel::Work::search);
     work_.want([answer, model, tolerance, request = request(),
@@ -184,6 +206,7 @@ void WindowAccuracy::runStudy() {
     options.metric = asked.metric;
     if (toleranceName(asked).isEmpty())
         options.tolerance = asked;
+    options.model = modelOf(*figure);
     options.secondsBudget = panel_->studySeconds();
     auto study = std::make_shared<accuracy::Study>();
     panel_->setWork(AccuracyPanel::Work::study);
@@ -214,8 +237,8 @@ void WindowAccuracy::showMap(bool on) {
     panel_->setWork(AccuracyPanel::Work::map);
     panel_->setMapShown(true);
     place_.actions->at("view.error-map")->setChecked(true);
-    work_.want([pair, figure, request = request(),
-                backend = backend_](Task& task) { *pair = drawPair(*figure, request, *backend, task); },
+    work_.want([pair, figure, model = modelOf(*figure), request = request(),
+                backend = backend_](Task& task) { *pair = drawPair(*figure, model, request, *backend, task); },
                [this, pair, figure] {
                    idle();
                    mapped_ = figure;
@@ -224,8 +247,9 @@ void WindowAccuracy::showMap(bool on) {
 }
 
 void WindowAccuracy::showErrors(const Picture& picture, const Picture& best) {
-    overlay_->showMap(accuracy::errorMap(picture, best, glm::dvec3(mapped_->background.rgba), kWorstShown),
-                      kWorstShown);
+    const glm::dvec3 background(mapped_->background.rgba);
+    const double worst = worstShown(picture, best, background);
+    overlay_->showMap(accuracy::errorMap(picture, best, background, worst), worst);
     panel_->setMapShown(true);
     place_.actions->at("view.error-map")->setChecked(true);
 }

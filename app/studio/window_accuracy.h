@@ -48,6 +48,8 @@ class WindowAccuracy : public QObject {
     void idle();
     void chooseReport();
     void apply(const accuracy::ToleranceChoice& choice);
+    /// What a figure would have without a search.
+    [[nodiscard]] Quality modelOf(const Figure& figure) const;
     void showErrors(const Picture& picture, const Picture& best);
     void takeMapAway();
     /// The picture's size in the window, not larger than what the work can be done for while one waits.

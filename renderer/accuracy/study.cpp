@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace limner::accuracy {
 
@@ -19,8 +20,8 @@ constexpr double kCheapPicture = 3; // seconds that a whole picture for the erro
 /// Fills in a study, measurement by measurement.
 class Run {
   public:
-    Run(Study& study, Bench& bench, const StudyOptions& options, Task& task)
-        : study_(study), bench_(bench), options_(options), task_(task) {}
+    Run(Study& study, Bench& bench, const Quality& present, const StudyOptions& options, Task& task)
+        : study_(study), bench_(bench), present_(present), options_(options), task_(task) {}
 
     [[nodiscard]] double elapsed() const {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
@@ -32,18 +33,15 @@ class Run {
             study_.leftOut += 1;
             return std::nullopt;
         }
-        task_.throwIfCancelled();
-        const Measured& measured = bench_.measure(quality);
-        study_.rows.push_back({method, words(quality), measured, measured.seconds * perProbe_});
-        return study_.rows.size() - 1;
+        return measure(method, quality);
     }
 
+    /// However late it is: without the figure as it is there is no study.
     void present() {
-        const Quality& quality = bench_.figure().quality;
-        const ProbePicture whole = bench_.whole(quality);
+        const ProbePicture whole = bench_.whole(present_);
         study_.picture = whole.picture;
-        perProbe_ = whole.seconds / std::max(bench_.measure(quality).seconds, 1e-9);
-        study_.present = *add("present", quality);
+        perProbe_ = whole.seconds / std::max(bench_.measure(present_).seconds, 1e-9);
+        study_.present = measure("present", present_);
     }
 
     /// One line of the chart: all at its best but `base`'s difference, the step as parameter.
@@ -85,11 +83,11 @@ class Run {
         const KnobLevels& step = bench_.knobs().front();
         for (std::size_t level = step.best() + 1; level-- > 0;) {
             const Quality quality = withLevel(bench_.best(), step, level);
-            if (quality.stepVoxels < bench_.figure().quality.stepVoxels &&
+            if (quality.stepVoxels < present_.stepVoxels &&
                 bench_.measure(quality).seconds * perProbe_ <= kCheapPicture) {
                 study_.best = bench_.whole(quality).picture;
                 if (bench_.hasLines()) {
-                    study_.lines = compareLines(bench_.linesOf(bench_.figure().quality, study_.picture),
+                    study_.lines = compareLines(bench_.linesOf(present_, study_.picture),
                                                 bench_.linesOf(quality, study_.best), study_.size.x);
                 }
                 return;
@@ -99,7 +97,7 @@ class Run {
     }
 
     void finish() {
-        study_.limits = limitingKnob(bench_, bench_.figure().quality, options_.metric);
+        study_.limits = limitingKnob(bench_, present_, options_.metric);
         study_.limiting = limitingWords(study_.limits, options_.metric);
         if (study_.leftOut > 0) {
             study_.notes.push_back(std::to_string(study_.leftOut) + " settings were left out: the time was up.");
@@ -109,6 +107,13 @@ class Run {
     }
 
   private:
+    std::size_t measure(const std::string& method, const Quality& quality) {
+        task_.throwIfCancelled();
+        const Measured& measured = bench_.measure(quality);
+        study_.rows.push_back({method, words(quality), measured, measured.seconds * perProbe_});
+        return study_.rows.size() - 1;
+    }
+
     [[nodiscard]] bool asked(Knob knob) const {
         return options_.knobs.empty() ||
                std::find(options_.knobs.begin(), options_.knobs.end(), knob) != options_.knobs.end();
@@ -117,7 +122,7 @@ class Run {
     [[nodiscard]] std::string words(const Quality& quality) const { return wordsOf(quality, bench_.knobs()); }
 
     void budget(const KnobLevels& knob) {
-        const Quality& own = bench_.figure().quality;
+        const Quality& own = present_;
         KnobLevels single{knob.knob, {own}, {""}, true};
         const Quality quality = withLevel(bench_.best(), single, 0);
         const auto row = add(std::string(nameOf(knob.knob)) + " as it is", quality);
@@ -181,6 +186,7 @@ class Run {
 
     Study& study_;
     Bench& bench_;
+    const Quality& present_;
     const StudyOptions& options_;
     Task& task_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
@@ -206,8 +212,10 @@ Study runStudy(const Figure& figure, const PlanRequest& request, const Backend& 
                Task& task) {
     Study study;
     task.beginPhase("Drawing the reference");
-    Bench bench(figure, request, backend, task);
-    Run run(study, bench, options, task);
+    Figure model = figure;
+    model.quality = options.model.value_or(figure.quality);
+    Bench bench(std::move(model), request, backend, task);
+    Run run(study, bench, figure.quality, options, task);
     const auto judge = options.judged ? makeReferenceBackend() : nullptr;
     bench.makeReference(options.tolerance.value_or(Tolerance{ErrorMetric::ciede2000, 0.7}), judge.get());
     study.title = figure.title;

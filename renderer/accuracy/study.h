@@ -13,9 +13,12 @@ namespace limner::accuracy {
 struct StudyOptions {
     ErrorMetric metric = ErrorMetric::ciede2000; ///< of hull, limiting knob and charts
     std::optional<Tolerance> tolerance;          ///< besides the named ones
-    std::vector<Knob> knobs;                     ///< empty: all that can change the picture
-    double secondsBudget = 60;                   ///< no measurement begins after that
-    bool judged = true; ///< the double-precision ray caster says how far the reference's arithmetic is off
+    /// Whose interpolation, gradients and rays per pixel are the model, where the figure's own were found for a
+    /// tolerance and are cheaper than what it asked for; nothing: the figure's.
+    std::optional<Quality> model;
+    std::vector<Knob> knobs;   ///< empty: all that can change the picture
+    double secondsBudget = 60; ///< no measurement begins after that
+    bool judged = true;        ///< the double-precision ray caster says how far the reference's arithmetic is off
 };
 
 /// One measured quality.

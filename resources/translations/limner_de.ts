@@ -132,14 +132,6 @@
         <translation>%1 Strahlen je Pixel</translation>
     </message>
     <message>
-        <source>Nothing that can be set makes the error of %1 smaller.</source>
-        <translation>Nichts, was sich einstellen lässt, macht den Fehler von %1 kleiner.</translation>
-    </message>
-    <message>
-        <source>What limits the error of %1 is %2: at its best (%3), %4 would be left.</source>
-        <translation>Den Fehler von %1 begrenzt: %2. Auf bester Stufe (%3) bliebe %4.</translation>
-    </message>
-    <message>
         <source>Pre-integration</source>
         <translation>Vorintegration</translation>
     </message>
@@ -150,6 +142,14 @@
     <message>
         <source>As asked</source>
         <translation>Wie verlangt</translation>
+    </message>
+    <message>
+        <source>Nothing that can be set makes the error smaller.</source>
+        <translation>Nichts, was sich einstellen lässt, macht den Fehler kleiner.</translation>
+    </message>
+    <message>
+        <source>What limits the error is %1: at its best (%2), %3 would be left.</source>
+        <translation>Den Fehler begrenzt: %1. Auf bester Stufe (%2) bliebe %3.</translation>
     </message>
 </context>
 <context>
@@ -3227,6 +3227,22 @@
     <message>
         <source>Settings left out because the time was up: %1.</source>
         <translation>Weggelassene Einstellungen, weil die Zeit um war: %1.</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>The time was up</source>
+        <translation>Die Zeit war um</translation>
+    </message>
+    <message>
+        <source>cannot be told</source>
+        <translation>nicht zu sagen</translation>
+    </message>
+    <message>
+        <source>The finest picture that can be drawn is itself not sure enough</source>
+        <translation>Das feinste Bild, das sich zeichnen lässt, ist selbst nicht sicher genug</translation>
     </message>
 </context>
 <context>

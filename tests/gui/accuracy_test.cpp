@@ -41,8 +41,10 @@ TEST(Accuracy, SettingsForTheScreenAreOneStepAndTheLineSaysWhatTheyDeliver) {
     Open studio;
     const Quality before = studio.figure().quality;
     const std::size_t position = studio.history().position();
+    EXPECT_FALSE(studio.panel().isVisible()) << "it is there when it is wanted";
     studio.panel().slider()->setValue(kScreen);
-    studio.panel().find()->click();
+    studio.trigger("edit.find-settings");
+    EXPECT_TRUE(studio.panel().isVisible());
     EXPECT_EQ(studio.panel().work(), AccuracyPanel::Work::search) << "the window does not wait for it";
     ASSERT_TRUE(studio.waitIdle());
     EXPECT_EQ(studio.history().position(), position + 1);

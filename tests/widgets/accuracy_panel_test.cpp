@@ -191,11 +191,13 @@ TEST(AccuracyPanel, AStudyHasItsTableSentenceAndReport) {
     shown.panel.showStudy(smallStudy());
     EXPECT_TRUE(shown.panel.report()->isEnabled());
     EXPECT_TRUE(shown.panel.chart()->isVisibleTo(&shown.panel));
-    ASSERT_EQ(shown.panel.choices()->rowCount(), 2);
+    ASSERT_EQ(shown.panel.choices()->rowCount(), 4) << "what could not be told is there too";
     EXPECT_EQ(shown.panel.choices()->item(0, 0)->text(), "Screen");
     EXPECT_EQ(shown.panel.choices()->item(0, 1)->text(), "ΔE 1.2");
     EXPECT_EQ(shown.panel.choices()->item(0, 2)->text(), "50 ms");
     EXPECT_TRUE(shown.panel.choices()->item(1, 1)->text().contains("not reached"));
+    EXPECT_EQ(shown.panel.choices()->item(3, 0)->text(), "Reference");
+    EXPECT_EQ(shown.panel.choices()->item(3, 1)->text(), "cannot be told");
     EXPECT_TRUE(shown.panel.findings()->text().contains("the step along the rays"));
     EXPECT_TRUE(shown.panel.findings()->text().contains("20 ms"));
     EXPECT_TRUE(testing::namelessControls(shown.panel).empty());
