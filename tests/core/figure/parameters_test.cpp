@@ -111,7 +111,7 @@ TEST(ParameterTable, IsInOrderAndComplete) {
     }
     EXPECT_GT(pointers.size(), 150u);
     EXPECT_EQ(parameterTable().front().pointer, "/title");
-    EXPECT_EQ(parameterTable().back().pointer, "/quality/tolerance");
+    EXPECT_EQ(parameterTable().back().pointer, "/quality/tolerance_metric");
 }
 
 TEST(ParameterTable, FindsConcretePointers) {
