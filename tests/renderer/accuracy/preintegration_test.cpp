@@ -188,7 +188,7 @@ TEST_P(Preintegrated, PassingOverEmptyBlocksChangesNoBit) {
             AnalyticScene scene =
                 preintegrated(shells(seed, step, seed % 2 == 0 ? Projection::perspective : Projection::orthographic));
             const auto with = planOf(scene);
-            scene.request.omit = false;
+            scene.request.kept = {LeaveOut::emptySpace};
             const auto without = planOf(scene);
             ASSERT_EQ(without->skip->occupied, 1);
             skipping += with->skip->occupied < 0.7 ? 1 : 0;

@@ -13,6 +13,7 @@ Figure figureOfEightBits() {
     testing::SmoothScene scene;
     scene.type = VoxelType::uint8;
     Figure figure = testing::smoothFigure(scene);
+    figure.quality.earlyTermination = 0.001;
     testing::makeLine(figure.layers.front(), "value");
     figure.layers.front().contours = Contours{0, true, CurvatureEstimator::hessian, 1.3};
     return figure;
