@@ -1,5 +1,6 @@
 #include "core/style/png_writing.h"
 #include "renderer/accuracy/error_chart.h"
+#include "renderer/export/svg_text.h"
 
 #include <glm/vec3.hpp>
 
@@ -22,19 +23,6 @@ td:first-child, th:first-child, td:nth-child(2), th:nth-child(2) { text-align: l
 .map { position: relative } .map img + img { position: absolute; inset: 0 } .quiet { color: #666 } strong.no { color: #b00 }
 </style>
 )";
-
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        switch (c) {
-        case '&': out += "&amp;"; break;
-        case '<': out += "&lt;"; break;
-        case '>': out += "&gt;"; break;
-        default: out += c;
-        }
-    }
-    return out;
-}
 
 std::string number(double value) {
     char text[32];
@@ -72,9 +60,10 @@ std::string imageTag(const Picture& picture, const glm::dvec3* background, const
 }
 
 std::string head(const Study& study) {
-    return "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Accuracy: " + escaped(study.title) +
-           "</title>\n" + kStyle + "</head><body>\n<h1>Error against run time</h1>\n<p class=\"quiet\">" +
-           escaped(study.title.empty() ? "untitled figure" : study.title) + " - " + std::to_string(study.size.x) +
+    return "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Accuracy: " +
+           escapedXml(study.title) + "</title>\n" + kStyle +
+           "</head><body>\n<h1>Error against run time</h1>\n<p class=\"quiet\">" +
+           escapedXml(study.title.empty() ? "untitled figure" : study.title) + " - " + std::to_string(study.size.x) +
            " x " + std::to_string(study.size.y) + " pixels, " + study.backend + " backend, probe of " +
            number(study.probePixels) + " pixels, study of " + number(study.seconds) + " s</p>\n";
 }
@@ -86,7 +75,7 @@ std::string summary(const Study& study) {
                        " of the same figure without any error of sampling (mean " + number(error.meanColour) +
                        ", largest " + number(error.largestColour) + "); root mean square error " + number(error.rmse) +
                        ", largest " + number(error.largest) + " of the full range.</p>\n<p><strong>" +
-                       escaped(study.limiting) + "</strong></p>\n";
+                       escapedXml(study.limiting) + "</strong></p>\n";
     text +=
         "<p class=\"quiet\">The reference is the figure's own model - its voxels, interpolation, gradients and rays "
         "per pixel - with steps down to " +
@@ -100,7 +89,7 @@ std::string summary(const Study& study) {
                 " % of their pixels are in one of the two pictures only.</p>\n";
     }
     for (const std::string& note : study.notes) {
-        text += "<p class=\"quiet\">" + escaped(note) + "</p>\n";
+        text += "<p class=\"quiet\">" + escapedXml(note) + "</p>\n";
     }
     return text;
 }
@@ -112,13 +101,13 @@ std::string choicesTable(const Study& study) {
         const auto row =
             std::find_if(study.rows.begin(), study.rows.end(),
                          [&, &wanted = choice.quality](const StudyRow& r) { return r.measured.quality == wanted; });
-        text += "<tr><td>" + escaped(name) + "</td><td>" + escaped(choice.words) + "</td><td>" +
+        text += "<tr><td>" + escapedXml(name) + "</td><td>" + escapedXml(choice.words) + "</td><td>" +
                 number(choice.asked.value) + "</td><td>" + number(choice.heldOutError) +
                 (choice.reached ? "" : " <strong class=\"no\">not reached</strong>") + "</td><td>" +
                 (row == study.rows.end() ? "" : number(row->pictureSeconds) + " s") + "</td></tr>\n";
     }
     return text + "</table>\n<p class=\"quiet\">Delivered: on the half of the probe that the search has not seen. " +
-           escaped("Longest step allowed: " + number(study.limit.voxels) + " voxels (" + study.limit.reason + ").") +
+           escapedXml("Longest step allowed: " + number(study.limit.voxels) + " voxels (" + study.limit.reason + ").") +
            "</p>\n";
 }
 
@@ -126,7 +115,7 @@ std::string budgetTable(const Study& study) {
     std::string text = "<h2>What each setting costs in error</h2>\n<table><tr><th>setting</th><th>as it is</th>"
                        "<th>error, all else at its best</th></tr>\n";
     for (const KnobBudget& knob : study.budget) {
-        text += std::string("<tr><td>") + nameOf(knob.knob) + "</td><td>" + escaped(knob.present) + "</td><td>" +
+        text += std::string("<tr><td>") + nameOf(knob.knob) + "</td><td>" + escapedXml(knob.present) + "</td><td>" +
                 number(knob.error) + "</td></tr>\n";
     }
     return text + "</table>\n";
@@ -138,7 +127,7 @@ std::string rowsTable(const Study& study) {
         "<th>RMSE</th><th>max</th><th>99.9 %</th><th>PSNR, dB</th><th>dE00 mean</th><th>95 %</th><th>max</th></tr>\n";
     for (const StudyRow& row : study.rows) {
         const PictureError& e = row.measured.error;
-        text += "<tr><td>" + escaped(row.method) + "</td><td>" + escaped(row.words) + "</td>";
+        text += "<tr><td>" + escapedXml(row.method) + "</td><td>" + escapedXml(row.words) + "</td>";
         for (const double value :
              {row.pictureSeconds, e.rmse, e.largest, e.most999, e.psnr(), e.meanColour, e.p95Colour, e.largestColour}) {
             text += "<td>" + number(value) + "</td>";
