@@ -162,8 +162,10 @@ class Chart {
                        y1, x2, y2, colour);
     }
     void text(double x, double y, const char* anchor, const char* colour, const std::string& words) {
-        out_ += format("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\" fill=\"%s\">", x, y, anchor, colour) + words +
-                "</text>\n";
+        out_ += format("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\" fill=\"%s\" stroke=\"#fff\" stroke-width=\"3\" "
+                       "paint-order=\"stroke\">",
+                       x, y, anchor, colour) +
+                words + "</text>\n";
     }
 
     const Study& study_;

@@ -172,7 +172,7 @@ ToleranceChoice chooseQuality(Bench& bench, const Tolerance& tolerance) {
     choice.asked = tolerance;
     choice.errorBar = bench.reference().errorBar(tolerance.metric);
     double bound = kSafety * tolerance.value;
-    for (int i = 0; i <= kMostTightenings; ++i, bound /= 2) {
+    for (int i = 0; i <= kMostTightenings; ++i) {
         const Setting setting = search.run(bound);
         choice.quality = search.qualityOf(setting);
         choice.searchedError = search.errorOf(setting);
@@ -182,6 +182,8 @@ ToleranceChoice chooseQuality(Bench& bench, const Tolerance& tolerance) {
         if (choice.reached || choice.searchedError > bound) {
             break;
         }
+        // By as much as the half that was not searched is worse, a tenth at least, a half at most.
+        bound *= std::clamp(kSafety * tolerance.value / choice.heldOutError, 0.5, 0.9);
     }
     choice.words = wordsOf(choice.quality, bench.knobs());
     choice.limits = limitingKnob(bench, choice.quality, tolerance.metric);
