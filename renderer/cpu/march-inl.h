@@ -166,9 +166,7 @@ class March {
             }
             samples_ = hn::Sub(samples_, hn::BitCast(kI, hn::VecFromMask(kF, alive_)));
             k_ = hn::Add(k_, splat(1));
-            const Mask inRange =
-                hn::And(hn::Gt(entry, splat(scene_.visibleFrom)), hn::Lt(entry, splat(scene_.visibleTo)));
-            if (!hn::AllFalse(kF, hn::And(inRange, alive_))) {
+            if (!hn::AllFalse(kF, hn::And(inRange(entry, entry), alive_))) {
                 look({place, q, entry, part.length}, edge);
             }
             alive_ = hn::And(alive_, hn::Lt(k_, end_));
@@ -191,9 +189,7 @@ class March {
             const Floats back = entryAt(end);
             samples_ = hn::Sub(samples_, hn::BitCast(kI, hn::VecFromMask(kF, alive_)));
             k_ = hn::Add(k_, splat(1));
-            const Mask inRange = hn::And(hn::Gt(hn::Max(front, back), splat(scene_.visibleFrom)),
-                                         hn::Lt(hn::Min(front, back), splat(scene_.visibleTo)));
-            if (!hn::AllFalse(kF, hn::And(inRange, alive_))) {
+            if (!hn::AllFalse(kF, hn::And(inRange(hn::Min(front, back), hn::Max(front, back)), alive_))) {
                 lookAtSlab(part, {front, back});
             }
             front = back;
@@ -202,6 +198,12 @@ class March {
                 return;
             }
         }
+    }
+
+    /// Whether anything may show from one entry to another.
+    HWY_INLINE Mask inRange(Floats low, Floats high) const {
+        const Mask within = hn::And(hn::Gt(high, splat(scene_.visibleFrom)), hn::Lt(low, splat(scene_.visibleTo)));
+        return hn::And(within, hn::Or(hn::Lt(low, splat(scene_.gapFrom)), hn::Gt(high, splat(scene_.gapTo))));
     }
 
     /// Of the scene's table, `s` steps along the rays; the first entry for lanes that are done.

@@ -32,6 +32,7 @@ void setField(Program& program, const KernelScene& scene) {
     program.set("lastCell", vector(scene.lastCell));
     program.set("entryOfStored", glm::vec2(scene.tableScale * unit, scene.tableBias));
     program.set("visibleEntries", glm::vec2(scene.visibleFrom, scene.visibleTo));
+    program.set("gapEntries", glm::vec2(scene.gapFrom, scene.gapTo));
     program.set("lastEntry", scene.lastEntry);
     program.set("eyeFromGradient", matrix(scene.eyeFromGradient, scene.gradient == KernelGradient::taps ? 1.0F : unit));
     program.set("gradientRounding", scene.gradientRounding);

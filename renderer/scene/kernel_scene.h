@@ -221,6 +221,8 @@ struct KernelScene {
     float lastEntry = 0;               ///< a spline may leave the data's range: entries are clamped to the table
     float visibleFrom = 0;             ///< entries up to here and from `visibleTo` on show nothing
     float visibleTo = 0;
+    float gapFrom = 0; ///< nor does what lies between: the widest such stretch; none: above `gapTo`
+    float gapTo = 0;
     bool earlyOpacity = true;   ///< a sample's opacity is known before its colour: every layer's is by value alone
     bool preintegrated = false; ///< samples are slabs, opacity is early
     const KernelLayer* layers = nullptr;

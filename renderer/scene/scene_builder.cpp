@@ -430,6 +430,25 @@ void BuiltScene::setTables(const RenderPlan& plan) {
     scene_.layerCount = static_cast<int>(layers_.size());
 }
 
+/// The widest stretch of the table that shows nothing and has something on either side.
+void BuiltScene::setGap(const std::vector<float>& visibility) {
+    scene_.gapFrom = scene_.visibleTo;
+    scene_.gapTo = scene_.visibleFrom;
+    float widest = 1; // one entry is left as it is: nothing lies on it alone
+    auto begin = static_cast<std::size_t>(std::max(scene_.visibleFrom, -1.0F) + 1);
+    for (std::size_t i = begin; i < visibility.size(); ++i) {
+        if (visibility[i] > 0) {
+            const auto entries = static_cast<float>(i - begin); // from the last visible one to this
+            if (entries > widest) {
+                widest = entries;
+                scene_.gapFrom = static_cast<float>(begin) + 1;
+                scene_.gapTo = static_cast<float>(i) - 1;
+            }
+            begin = i;
+        }
+    }
+}
+
 void BuiltScene::setValueTable(const RenderPlan& plan, std::vector<float> visibility) {
     double low = plan.volume->range().low;
     double high = plan.volume->range().high;
@@ -453,6 +472,7 @@ void BuiltScene::setValueTable(const RenderPlan& plan, std::vector<float> visibi
     // Interpolation reaches one entry beyond a visible one.
     scene_.visibleFrom = static_cast<float>(firstVisible - visibility.begin() - 1);
     scene_.visibleTo = static_cast<float>(visibility.rend() - lastVisible);
+    setGap(visibility);
     scene_.visibility = keep(std::move(visibility));
 }
 

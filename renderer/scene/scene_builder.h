@@ -41,6 +41,7 @@ class BuiltScene {
     void setBends(const RenderPlan& plan);
     void setMeasures(const PlanImportance& from, KernelImportance& out) const;
     void setImportance(const RenderPlan& plan);
+    void setGap(const std::vector<float>& visibility);
     void setValueTable(const RenderPlan& plan, std::vector<float> visibility);
     /// Range and number of a table's entries along an axis.
     struct AxisEntries {

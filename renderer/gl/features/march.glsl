@@ -3,6 +3,7 @@ uniform usampler3D distances; // blocks to the nearest one that can contribute
 uniform vec2 entryOfTexel;    // the same from what the field's texture holds
 uniform vec2 entryOfStored;   // entry of the value's table = stored * x + y
 uniform vec2 visibleEntries;  // up to the first and from the second on nothing shows
+uniform vec2 gapEntries;      // nor from the first to the second, where that is the greater one
 uniform int visibility;       // table: > 0 where anything shows between an entry and the next; SLABS: how often before
 uniform ivec3 pageLow;  // cells whose samples are this pass's
 uniform ivec3 pageHigh;
@@ -63,6 +64,11 @@ bool isOwn(Ray ray, float s) {
 #endif
 }
 
+/// Whether anything may show from one entry to another.
+bool mayShow(float low, float high) {
+    return high > visibleEntries.x && low < visibleEntries.y && (low < gapEntries.x || high > gapEntries.y);
+}
+
 #if SLABS
 float entryAt(Ray ray, Line line, float s) {
 #if SPLINE
@@ -85,7 +91,7 @@ bool look(Ray ray, Line line, float k, out Sample found) {
     passedEnd = vec2(end, found.back);
     float low = min(found.entry, found.back);
     float high = max(found.entry, found.back);
-    bool inRange = high > visibleEntries.x && low < visibleEntries.y && isOwn(ray, 0.5 * (found.s + end));
+    bool inRange = mayShow(low, high) && isOwn(ray, 0.5 * (found.s + end));
     return inRange && numberAt(visibility + int(high) + 1) > numberAt(visibility + int(low));
 }
 #else
@@ -99,7 +105,7 @@ bool look(Ray ray, Line line, float k, out Sample found) {
 #else
     found.entry = textureLod(field, line.start + line.step * found.s, 0.0).r * entryOfTexel.x + entryOfTexel.y;
 #endif
-    bool inRange = found.entry > visibleEntries.x && found.entry < visibleEntries.y && isOwn(ray, found.s);
+    bool inRange = mayShow(found.entry, found.entry) && isOwn(ray, found.s);
     found.entry = max(found.entry, 0.0);
     return inRange && numberAt(visibility + int(found.entry)) > 0.0;
 }
