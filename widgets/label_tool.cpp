@@ -10,8 +10,10 @@ namespace limner {
 LabelTool::LabelTool(Viewport* viewport) : ToolOverlay(viewport, tr("Add label")) {}
 
 QString LabelTool::hint() const {
-    return missed_ ? tr("There is too little to see here to point at · click on the structure · Esc: leave")
-                   : tr("Click on the structure to name, then type · Esc: leave");
+    if (missed_)
+        return tr("There is too little to see here to point at · click on the structure · Esc: leave");
+    return labelled_ ? tr("Type the words, then click on the next structure · Esc: leave")
+                     : tr("Click on the structure to name, then type · Esc: leave");
 }
 
 void LabelTool::mousePressEvent(QMouseEvent* event) {
@@ -30,7 +32,8 @@ void LabelTool::mousePressEvent(QMouseEvent* event) {
     label.text = tr("Label").toStdString();
     label.anchorMm = pick->pointMm;
     edit.figure.annotations.push_back(label);
-    layDown();
+    labelled_ = true;
+    setAccessibleDescription(hint());
     Q_EMIT edited(edit);
     Q_EMIT labelled();
 }

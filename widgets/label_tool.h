@@ -4,7 +4,8 @@
 
 namespace limner {
 
-/// Add label: a click on what is to be named makes a label that points there. Reads the picture that is shown.
+/// Add label: a click on what is to be named makes a label that points there, and the tool stays in the hand for the
+/// next one: a figure is lettered by the dozen. Reads the picture that is shown.
 class LabelTool : public ToolOverlay {
     Q_OBJECT
 
@@ -17,11 +18,12 @@ class LabelTool : public ToolOverlay {
 
   protected:
     void mousePressEvent(QMouseEvent* event) override;
-    void reset() override { missed_ = false; }
+    void reset() override { missed_ = labelled_ = false; }
     [[nodiscard]] QString hint() const override;
 
   private:
-    bool missed_ = false; ///< the last click met no matter
+    bool missed_ = false;   ///< the last click met no matter
+    bool labelled_ = false; ///< it has made a label since it was taken
 };
 
 } // namespace limner

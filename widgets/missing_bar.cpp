@@ -7,15 +7,18 @@
 namespace limner {
 
 MissingBar::MissingBar(QWidget* parent)
-    : QFrame(parent), text_(new QLabel), find_(new QToolButton), search_(new QToolButton) {
+    : QFrame(parent), text_(new QLabel), find_(new QToolButton), findFolder_(new QToolButton),
+      search_(new QToolButton) {
     setObjectName("missing");
     setAutoFillBackground(true);
     setFrameShape(QFrame::StyledPanel);
     setBackgroundRole(QPalette::Base); // it stands out from the grey around the sheet
     text_->setWordWrap(true);
     text_->setAccessibleName(tr("Missing file"));
-    find_->setText(tr("Find…"));
+    find_->setText(tr("Find file…"));
     find_->setToolTip(tr("Show where the file is now"));
+    findFolder_->setText(tr("Find folder…"));
+    findFolder_->setToolTip(tr("Show where the folder of slices is now"));
     auto* hide = new QToolButton;
     hide->setText(tr("Not now"));
     hide->setAutoRaise(true);
@@ -25,9 +28,11 @@ MissingBar::MissingBar(QWidget* parent)
     layout->setSpacing(6);
     layout->addWidget(text_, 1);
     layout->addWidget(find_);
+    layout->addWidget(findFolder_);
     layout->addWidget(search_);
     layout->addWidget(hide);
     connect(find_, &QToolButton::clicked, this, &MissingBar::findWanted);
+    connect(findFolder_, &QToolButton::clicked, this, &MissingBar::findFolderWanted);
     connect(search_, &QToolButton::clicked, this, [this] {
         if (searching_)
             Q_EMIT stopWanted();

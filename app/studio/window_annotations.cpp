@@ -11,6 +11,8 @@
 #include <QDockWidget>
 #include <QEvent>
 #include <QMainWindow>
+#include <QPlainTextEdit>
+#include <QShortcut>
 
 #include <utility>
 
@@ -45,6 +47,11 @@ void WindowAnnotations::connectTool() {
         tool_->take();
     });
     connect(tool_, &LabelTool::takenChanged, action, &QAction::setChecked);
+    // While the words are written the keyboard is not the tool's: Esc leaves it from there too.
+    auto* leave = new QShortcut(Qt::Key_Escape, form_->words(), nullptr, nullptr, Qt::WidgetShortcut);
+    leave->setEnabled(false);
+    connect(tool_, &LabelTool::takenChanged, leave, &QShortcut::setEnabled);
+    connect(leave, &QShortcut::activated, tool_, &LabelTool::layDown);
     connect(tool_, &LabelTool::edited, place_.document, &StudioDocument::apply);
     connect(tool_, &LabelTool::labelled, this,
             [this] { form_->writeWords(place_.document->figure()->annotations.size() - 1); });

@@ -77,6 +77,7 @@ WindowDocuments::WindowDocuments(const Workplace& place) : QObject(place.window)
     place_.actions->at("file.pack")->setCheckable(true);
     on("file.pack", [this](bool packed) { packToggled(packed); });
     connect(bar_, &MissingBar::findWanted, this, &WindowDocuments::chooseFile);
+    connect(bar_, &MissingBar::findFolderWanted, this, &WindowDocuments::chooseFolder);
     connect(bar_, &MissingBar::searchWanted, this, &WindowDocuments::search);
     connect(bar_, &MissingBar::stopWanted, this, [this] {
         if (searchJob_)
@@ -279,11 +280,26 @@ void WindowDocuments::search() { bring({}); }
 
 void WindowDocuments::useFile(const fs::path& path) { bring(path); }
 
-void WindowDocuments::chooseFile() {
+QString WindowDocuments::missingName() const {
     const auto figure = place_.document->figure();
     if (!figure || missingParts(*figure).empty())
+        return {};
+    return QFileInfo(QString::fromStdString(pathOf(*figure, missingParts(*figure).front()))).fileName();
+}
+
+void WindowDocuments::chooseFolder() {
+    const QString name = missingName();
+    if (name.isEmpty())
         return;
-    const QString name = QFileInfo(QString::fromStdString(pathOf(*figure, missingParts(*figure).front()))).fileName();
+    const QString path = QFileDialog::getExistingDirectory(place_.window, tr("Where is “%1”?").arg(name));
+    if (!path.isEmpty())
+        useFile(path.toStdString());
+}
+
+void WindowDocuments::chooseFile() {
+    const QString name = missingName();
+    if (name.isEmpty())
+        return;
     const QString path = QFileDialog::getOpenFileName(place_.window, tr("Where is “%1”?").arg(name), {},
                                                       tr("That file (%1);;Everything (*)").arg(name));
     if (!path.isEmpty())

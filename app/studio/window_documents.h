@@ -44,7 +44,9 @@ class WindowDocuments : public QObject {
     void showPacked();
     void packToggled(bool on);
     void showMissing();
+    [[nodiscard]] QString missingName() const; ///< of what is missing first, without its folders
     void chooseFile();
+    void chooseFolder();
     /// `file`: where the user says that the first missing part is; empty: everything is looked for.
     void bring(const std::filesystem::path& file);
 

@@ -129,7 +129,7 @@ class Resolver {
             if (!path) {
                 note("the " + what + " " + reference.path + " was not found beside the figure" +
                      (reference.absolutePath.empty() ? "" : " nor at " + reference.absolutePath) +
-                     "; give its new place");
+                     "; put it back there, or show its new place in the studio");
                 return;
             }
             attempt("the " + what, [&] { imported = importVolume(*path, options, task_); });

@@ -5066,6 +5066,10 @@ Label %2, %3 Voxel</translation>
         <source>Label</source>
         <translation>Beschriftung</translation>
     </message>
+    <message>
+        <source>Type the words, then click on the next structure · Esc: leave</source>
+        <translation>Die Wörter tippen, dann auf die nächste Struktur klicken · Esc: verlassen</translation>
+    </message>
 </context>
 <context>
     <name>limner::LayerForm</name>
@@ -5733,10 +5737,6 @@ Label %2, %3 Voxel</translation>
         <translation>Fehlende Datei</translation>
     </message>
     <message>
-        <source>Find…</source>
-        <translation>Suchen …</translation>
-    </message>
-    <message>
         <source>Show where the file is now</source>
         <translation>Zeigen, wo die Datei jetzt ist</translation>
     </message>
@@ -5763,6 +5763,18 @@ Label %2, %3 Voxel</translation>
     <message>
         <source>Look beside the project, above it and in the folders of recent files</source>
         <translation>Neben dem Projekt, darüber und in den Ordnern zuletzt geöffneter Dateien nachsehen</translation>
+    </message>
+    <message>
+        <source>Find file…</source>
+        <translation>Datei suchen …</translation>
+    </message>
+    <message>
+        <source>Find folder…</source>
+        <translation>Ordner suchen …</translation>
+    </message>
+    <message>
+        <source>Show where the folder of slices is now</source>
+        <translation>Zeigen, wo der Ordner mit den Schichten jetzt ist</translation>
     </message>
 </context>
 <context>

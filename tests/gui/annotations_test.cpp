@@ -43,10 +43,12 @@ TEST(StudioAnnotations, LabelsAStructure) {
     QTest::mouseClick(studio.window->windowHandle(), Qt::LeftButton, {},
                       studio.window->viewport().mapTo(studio.window.get(), middle));
     ASSERT_EQ(studio.figure().annotations.size(), 1U);
-    EXPECT_FALSE(tool.taken());
+    EXPECT_TRUE(tool.taken()) << "for the next structure";
     QPlainTextEdit* words = studio.feature().form().words();
     EXPECT_EQ(studio.window->focusWidget(), words) << "what is typed next is the label's words";
     QTest::keyClicks(words, "Nose");
+    QTest::keyClick(words, Qt::Key_Escape);
+    EXPECT_FALSE(tool.taken()) << "Esc while the words are written";
     EXPECT_EQ(studio.figure().annotations[0].text, "Nose");
     ASSERT_TRUE(studio.showsThem());
     const auto& picture = *studio.window->viewport().picture();
@@ -76,6 +78,27 @@ TEST(StudioAnnotations, LabelsAStructure) {
                       studio.feature().overlay().middleOf(0)->toPoint());
     QTest::keyClick(&studio.window->viewport(), Qt::Key_Delete);
     EXPECT_TRUE(studio.figure().annotations.empty());
+}
+
+/// The tool is taken once, then it is a click and the words for each.
+TEST(StudioAnnotations, LabelsThreeStructuresInARow) {
+    Lettering studio;
+    ASSERT_TRUE(studio.openSample());
+    studio.trigger("edit.add-label");
+    const Viewport& viewport = studio.window->viewport();
+    QPlainTextEdit* words = studio.feature().form().words();
+    const QPoint middle = viewport.sheet().center().toPoint();
+    const QStringList names{"Nose", "Cheek", "Brow"};
+    for (int i = 0; i < names.size(); ++i) {
+        QTest::mouseClick(studio.window->windowHandle(), Qt::LeftButton, {},
+                          viewport.mapTo(studio.window.get(), middle + QPoint(30 * (i - 1), 0)));
+        ASSERT_EQ(studio.figure().annotations.size(), static_cast<std::size_t>(i + 1));
+        ASSERT_EQ(studio.window->focusWidget(), words);
+        QTest::keyClicks(words, names[i]);
+        ASSERT_TRUE(studio.showsThem());
+    }
+    for (int i = 0; i < names.size(); ++i)
+        EXPECT_EQ(studio.figure().annotations[static_cast<std::size_t>(i)].text, names[i].toStdString());
 }
 
 /// The window's picture and an exported one of the same size hold the same letters.

@@ -7,13 +7,17 @@
 #include "core/project/embedded_volume.h"
 #include "core/project/project_lock.h"
 #include "core/volume/phantom.h"
+#include "support/test_data.h"
 #include "widgets/history_list.h"
 #include "widgets/missing_bar.h"
 #include "widgets/notice_bar.h"
 #include "widgets/recovery_bar.h"
 
+#include <QApplication>
+#include <QFileDialog>
 #include <QListWidget>
 #include <QPushButton>
+#include <QTimer>
 #include <QToolButton>
 
 #include <fstream>
@@ -277,6 +281,42 @@ TEST(Documents, AScanThatIsNowhereCanBeShownByHand) {
     documents.useFile(place);
     ASSERT_TRUE(pumpUntil([&] { return searches == 2; }));
     ASSERT_TRUE(studio.figure().volume->data);
+}
+
+/// A DICOM series is a folder: a dialog for files would only walk into it.
+TEST(Documents, AFolderThatIsNowhereCanBeShownByHand) {
+    const auto series = testing::testData("dicom/odd/torso128_reference");
+    if (!series)
+        GTEST_SKIP();
+    const WithProject files;
+    const fs::path slices = files.project.parent_path() / "slices";
+    fs::copy(*series, slices);
+    Studio studio;
+    files.open(studio, slices);
+    files.save(studio);
+    studio.trigger("file.close");
+    const QTemporaryDir elsewhere;
+    const fs::path place = elsewhere.filePath("renamed").toStdString();
+    fs::copy(slices, place);
+    fs::remove_all(slices);
+    auto& documents = of<WindowDocuments>(studio);
+    int searches = 0;
+    QObject::connect(&documents, &WindowDocuments::searched, studio.window.get(), [&](bool) { ++searches; });
+    files.open(studio, files.project);
+    ASSERT_TRUE(pumpUntil([&] { return searches == 1; }));
+    QTimer::singleShot(0, studio.window.get(), [&] {
+        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+        ASSERT_TRUE(dialog);
+        EXPECT_EQ(dialog->fileMode(), QFileDialog::Directory);
+        dialog->setDirectory(elsewhere.path());
+        dialog->selectFile("renamed");
+        static_cast<QDialog*>(dialog)->done(QDialog::Accepted);
+    });
+    documents.missing().findFolder()->click();
+    ASSERT_TRUE(pumpUntil([&] { return searches == 2; }));
+    ASSERT_TRUE(studio.figure().volume->data);
+    EXPECT_EQ(fs::weakly_canonical(studio.figure().volume->path), fs::weakly_canonical(place));
+    EXPECT_TRUE(documents.missing().isHidden());
 }
 
 TEST(Documents, StepsAndNamedStatesAreAClickAway) {

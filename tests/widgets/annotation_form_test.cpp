@@ -263,7 +263,8 @@ TEST(LabelTool, ClicksOnMatter) {
     QTest::mouseClick(&shown.tool, Qt::LeftButton, {}, shown.viewport.sheet().center().toPoint());
     ASSERT_EQ(shown.all().size(), 3U);
     EXPECT_EQ(labelled, 1);
-    EXPECT_FALSE(shown.tool.taken());
+    EXPECT_TRUE(shown.tool.taken()) << "the next one needs no second way through the menu";
+    EXPECT_TRUE(shown.tool.accessibleDescription().contains("next")) << "what is read aloud is what is shown";
     const glm::dvec3 middle = shown.history.current()->volume->data->grid().centreMm();
     const glm::dvec3 point = *shown.all()[2].anchorMm;
     EXPECT_NEAR(point.x, middle.x, 0.5);

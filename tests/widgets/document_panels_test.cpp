@@ -124,6 +124,17 @@ TEST(RecoveryBar, ShowsEachWorkWithItsTwoButtons) {
     EXPECT_TRUE(bar.isHidden());
 }
 
+TEST(MissingBar, AsksForAFileOrAFolder) {
+    MissingBar bar;
+    bar.setMissing("gone");
+    QStringList heard;
+    QObject::connect(&bar, &MissingBar::findWanted, &bar, [&] { heard << "file"; });
+    QObject::connect(&bar, &MissingBar::findFolderWanted, &bar, [&] { heard << "folder"; });
+    bar.find()->click();
+    bar.findFolder()->click();
+    EXPECT_EQ(heard, QStringList({"file", "folder"}));
+}
+
 TEST(MissingBar, ItsSearchStartsAndStops) {
     MissingBar bar;
     EXPECT_TRUE(bar.isHidden());
