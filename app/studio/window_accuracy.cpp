@@ -53,8 +53,7 @@ std::string reportText(const std::string& ending, const accuracy::Study& study, 
 
 /// The CIEDE2000 that is black on the map: a round number that all but a hundredth of the pixels stay below, so that
 /// one sees where the error is, however small.
-double worstShown(const Picture& picture, const Picture& best, const glm::dvec3& background) {
-    std::vector<float> errors = accuracy::colourDifferences(picture, best, background);
+double worstShown(std::vector<float> errors) {
     constexpr std::size_t kHundred = 100;
     const std::size_t below = errors.size() - 1 - errors.size() / kHundred;
     std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(below), errors.end());
@@ -248,8 +247,9 @@ void WindowAccuracy::showMap(bool on) {
 
 void WindowAccuracy::showErrors(const Picture& picture, const Picture& best) {
     const glm::dvec3 background(mapped_->background.rgba);
-    const double worst = worstShown(picture, best, background);
-    overlay_->showMap(accuracy::errorMap(picture, best, background, worst), worst);
+    const std::vector<float> errors = accuracy::colourDifferences(picture, best, background);
+    const double worst = worstShown(errors);
+    overlay_->showMap(accuracy::errorMap(errors, picture.size(), worst), worst);
     panel_->setMapShown(true);
     place_.actions->at("view.error-map")->setChecked(true);
 }

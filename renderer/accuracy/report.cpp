@@ -1,3 +1,4 @@
+#include "renderer/accuracy/perceived_error.h"
 #include "renderer/accuracy/study.h"
 
 #include <nlohmann/json.hpp>
@@ -88,6 +89,11 @@ std::string reportJson(const Study& study) {
                  {"p95_distance_px", study.lines.p95Distance},
                  {"disagreement", study.lines.disagreement}};
     }
+    Facts perceived = nullptr;
+    if (!study.perceived.empty()) {
+        const PerceivedError seen = perceivedSummary(study.perceived);
+        perceived = {{"mean", seen.mean}, {"p95", seen.p95}, {"max", seen.largest}};
+    }
     const Facts facts{{"title", study.title},
                       {"backend", study.backend},
                       {"width", study.size.x},
@@ -106,6 +112,7 @@ std::string reportJson(const Study& study) {
                       {"orders", orders},
                       {"budget", budget},
                       {"lines", lines},
+                      {"perceived", perceived},
                       {"present", study.present},
                       {"choices", choices},
                       {"limiting_knob", study.limiting},

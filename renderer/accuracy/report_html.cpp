@@ -1,5 +1,6 @@
 #include "core/style/png_writing.h"
 #include "renderer/accuracy/error_chart.h"
+#include "renderer/accuracy/perceived_error.h"
 #include "renderer/export/svg_text.h"
 
 #include <glm/vec3.hpp>
@@ -88,6 +89,12 @@ std::string summary(const Study& study) {
                 number(100 * study.lines.disagreement) +
                 " % of their pixels are in one of the two pictures only.</p>\n";
     }
+    if (!study.perceived.empty()) {
+        const PerceivedError seen = perceivedSummary(study.perceived);
+        text += "<p>Seen from 300 mm away, where fine patterns blend, 95 % of the pixels are within CIEDE2000 " +
+                number(seen.p95) + " of the best picture (mean " + number(seen.mean) + ", largest " +
+                number(seen.largest) + ").</p>\n";
+    }
     for (const std::string& note : study.notes) {
         text += "<p class=\"quiet\">" + escapedXml(note) + "</p>\n";
     }
@@ -142,13 +149,17 @@ std::string pictures(const Study& study, const Figure& figure) {
         return "";
     }
     const glm::dvec3 paper(figure.background.rgba);
-    const Picture map = errorMap(study.picture, study.best, paper, kWorstShown);
     const std::string under = imageTag(study.picture, &paper, "the figure");
+    const auto mapped = [&](const std::vector<float>& errors, const std::string& caption) {
+        return "<figure><div class=\"map\">" + under +
+               imageTag(errorMap(errors, study.size, kWorstShown), nullptr, "error of every pixel") +
+               "</div><figcaption>" + caption + "</figcaption></figure>";
+    };
     return "<h2>Where the error is</h2>\n<div class=\"pictures\"><figure>" + under +
-           "<figcaption>The figure as it is</figcaption></figure><figure><div class=\"map\">" +
-           imageTag(study.picture, &paper, "the figure") + imageTag(map, nullptr, "error of every pixel") +
-           "</div><figcaption>Its error over it: yellow to red to black at CIEDE2000 " + number(kWorstShown) +
-           "</figcaption></figure></div>\n";
+           "<figcaption>The figure as it is</figcaption></figure>" +
+           mapped(colourDifferences(study.picture, study.best, paper),
+                  "Its error over it: yellow to red to black at CIEDE2000 " + number(kWorstShown)) +
+           mapped(study.perceived, "What a reader can see of it at 300 mm (S-CIELAB)") + "</div>\n";
 }
 
 } // namespace

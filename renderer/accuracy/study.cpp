@@ -1,6 +1,7 @@
 #include "renderer/accuracy/study.h"
 
 #include "core/base/error.h"
+#include "renderer/accuracy/perceived_error.h"
 
 #include <glm/common.hpp>
 
@@ -239,13 +240,16 @@ Study runStudy(const Figure& figure, const PlanRequest& request, const Backend& 
     run.choices();
     task.progress(0.9);
     run.bestPicture();
+    if (study.best.size() == study.picture.size()) {
+        study.perceived = perceivedDifferences(study.picture, study.best, glm::dvec3(figure.background.rgba),
+                                               pixelsPerDegree(study.size.x / figure.output.widthMm));
+    }
     run.finish();
     return study;
 }
 
-Picture errorMap(const Picture& picture, const Picture& best, const glm::dvec3& background, double worst) {
-    const std::vector<float> errors = colourDifferences(picture, best, background);
-    Picture map(picture.size());
+Picture errorMap(const std::vector<float>& errors, glm::ivec2 size, double worst) {
+    Picture map(size);
     for (std::size_t i = 0; i < errors.size(); ++i) {
         const float e = std::min(static_cast<float>(errors[i] / worst), 1.0F);
         const float alpha = std::min(2 * e, 1.0F);

@@ -67,19 +67,20 @@ struct Study {
     std::string limiting; ///< the same as one sentence
     int leftOut = 0;      ///< settings that were not measured: the time was up
     std::vector<std::string> notes;
-    double seconds = 0; ///< that the study took
-    LineError lines;    ///< of contours and silhouettes, as it is against the best
-    Picture picture;    ///< the figure as it is, whole
-    Picture best;       ///< with everything at its best; the difference of the two is the error map
+    double seconds = 0;           ///< that the study took
+    LineError lines;              ///< of contours and silhouettes, as it is against the best
+    std::vector<float> perceived; ///< perceivedDifferences of the two pictures below; empty: there is no best
+    Picture picture;              ///< the figure as it is, whole
+    Picture best;                 ///< with everything at its best; the difference of the two is the error map
 };
 
 /// Runs it: progress goes through the task, which also cancels. Throws Error(notFinite), Error(cancelled).
 Study runStudy(const Figure& figure, const PlanRequest& request, const Backend& backend, const StudyOptions& options,
                Task& task);
 
-/// The error of every pixel as a picture: from clear over yellow and red to black, black from `worst` CIEDE2000 on.
-/// Lies over the figure's picture.
-Picture errorMap(const Picture& picture, const Picture& best, const glm::dvec3& background, double worst);
+/// The error of every pixel (colour differences, row by row) as a picture: from clear over yellow and red to black,
+/// black from `worst` on. Lies over the figure's picture.
+Picture errorMap(const std::vector<float>& errors, glm::ivec2 size, double worst);
 
 /// A report for people, a table, and facts for programs (spec figure-document.md: keys of `accuracy`).
 std::string reportHtml(const Study& study, const Figure& figure);

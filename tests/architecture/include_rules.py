@@ -45,7 +45,7 @@ RULES = {
     "core/figure": (("core",), {"glm"}, {"tbb", "json", "files"}),
     "core/project": (("core",), {"glm"}, {"json", "zip", "zlib", "openssl", "oiio", "system", "files"}),
     "renderer": (("core", "renderer"), {"glm"}, {"tbb", "hwy"}),
-    "renderer/accuracy": (("core", "renderer"), {"glm"}, {"tbb", "json", "files"}),
+    "renderer/accuracy": (("core", "renderer"), {"glm"}, {"tbb", "json", "opencv", "files"}),
     "renderer/cpu": (("core", "renderer"), {"glm", "hwy"}, {"tbb"}),
     "renderer/gl": (("core", "renderer"), {"glm", "gl"}, {"tbb", "system"}),
     "renderer/export": (("core", "renderer"), {"glm"}, {"tbb", "oiio", "lcms", "qt", "zlib", "system", "files"}),

@@ -315,7 +315,7 @@ TEST(ErrorMap, IsClearWhereNothingIsWrongAndDarkWhereAllIs) {
     std::fill(picture.pixel(1, 0), picture.pixel(1, 0) + 3, 0.0F);
     best.pixel(1, 0)[0] = best.pixel(1, 0)[1] = best.pixel(1, 0)[2] = 0;
     picture.pixel(1, 0)[3] = 1; // black beside clear on white
-    const Picture map = errorMap(picture, best, {1, 1, 1}, 10);
+    const Picture map = errorMap(colourDifferences(picture, best, {1, 1, 1}), {2, 1}, 10);
     EXPECT_EQ(map.pixel(0, 0)[3], 0);
     EXPECT_EQ(map.pixel(1, 0)[3], 1);
     EXPECT_EQ(map.pixel(1, 0)[0], 0);
