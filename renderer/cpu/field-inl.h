@@ -228,7 +228,7 @@ struct Field {
     }
 
     /// f(q + 1) - f(q - 1) along each axis, exactly for the trilinear field: 12 rows instead of 6 * 8 corners.
-    /// Everything in line: called, its rows would go through memory (5 to 12 % of a picture).
+    /// Everything in line: called, its rows would go through memory (5 to 9 % of a picture).
     HWY_INLINE Vec3 centralGradient(const Place& place) const {
         const Ints weight = pairWeights(place.fx);
         constexpr int sy = kRowBytes;
