@@ -74,7 +74,7 @@ void AccuracyCommand::declare(CLI::App& app) {
         "7 where the reference is not good enough for it, 8 for pixels that are no numbers.");
     app.footer(kExamples);
     figure_.declareInput(app, "FIGURE-or-VOLUME", "A .limner project, a figure.json or a scan", false);
-    app.add_option("-o,--output", out_, "The report: .html with charts and an error map, .csv or .json")
+    app.add_option("-o,--output", out_, "The report: .html with charts and error maps, .csv or .json")
         ->option_text("FILE");
     tolerance_.declare(app, "Also find the cheapest settings for this");
     app.add_flag("--apply", apply_, "Write the settings found for --tolerance into the project");

@@ -1,5 +1,7 @@
 #include "renderer/accuracy/colour_difference.h"
 
+#include <glm/mat3x3.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,6 +11,10 @@ namespace limner::accuracy {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
+
+/// XYZ of linear red, green and blue; a column each.
+const glm::dmat3 kXyz{
+    {0.4124564, 0.2126729, 0.0193339}, {0.3575761, 0.7151522, 0.1191920}, {0.1804375, 0.0721750, 0.9503041}};
 
 double linear(double encoded) {
     const double size = std::abs(encoded);
@@ -55,17 +61,16 @@ Hues compareHues(double h1, double h2, bool grey) {
 
 } // namespace
 
-glm::dvec3 labOfSrgb(const glm::dvec3& rgb) {
-    const double r = linear(rgb.r);
-    const double g = linear(rgb.g);
-    const double b = linear(rgb.b);
-    // The matrix's rows, over D65's white: their sums, so that white is exactly L* = 100.
-    const double x = (0.4124564 * r + 0.3575761 * g + 0.1804375 * b) / (0.4124564 + 0.3575761 + 0.1804375);
-    const double y = (0.2126729 * r + 0.7151522 * g + 0.0721750 * b) / (0.2126729 + 0.7151522 + 0.0721750);
-    const double z = (0.0193339 * r + 0.1191920 * g + 0.9503041 * b) / (0.0193339 + 0.1191920 + 0.9503041);
-    const double fy = lightnessCurve(y);
-    return {116 * fy - 16, 500 * (lightnessCurve(x) - fy), 200 * (fy - lightnessCurve(z))};
+glm::dvec3 xyzOfSrgb(const glm::dvec3& rgb) { return kXyz * glm::dvec3(linear(rgb.r), linear(rgb.g), linear(rgb.b)); }
+
+glm::dvec3 labOfXyz(const glm::dvec3& xyz) {
+    const glm::dvec3 white = kXyz * glm::dvec3(1); // so that white is exactly L* = 100
+    const glm::dvec3 f(lightnessCurve(xyz.x / white.x), lightnessCurve(xyz.y / white.y),
+                       lightnessCurve(xyz.z / white.z));
+    return {116 * f.y - 16, 500 * (f.x - f.y), 200 * (f.y - f.z)};
 }
+
+glm::dvec3 labOfSrgb(const glm::dvec3& rgb) { return labOfXyz(xyzOfSrgb(rgb)); }
 
 double ciede2000(const glm::dvec3& first, const glm::dvec3& second) {
     const double stretch = 0.5 * (1 - vividness((std::hypot(first.y, first.z) + std::hypot(second.y, second.z)) / 2));

@@ -4,6 +4,12 @@
 
 namespace limner::accuracy {
 
+/// CIE XYZ of an sRGB-encoded colour, 0..1 (IEC 61966-2-1), Y of white 1. Out of gamut: continued.
+glm::dvec3 xyzOfSrgb(const glm::dvec3& rgb);
+
+/// CIE L*a*b* of such an XYZ; white: D65.
+glm::dvec3 labOfXyz(const glm::dvec3& xyz);
+
 /// CIE L*a*b* of an sRGB-encoded colour, 0..1 (white: D65, IEC 61966-2-1). Out of gamut: continued.
 glm::dvec3 labOfSrgb(const glm::dvec3& rgb);
 

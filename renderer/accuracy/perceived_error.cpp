@@ -1,10 +1,10 @@
 #include "renderer/accuracy/perceived_error.h"
 
 #include "renderer/accuracy/colour_difference.h"
+#include "renderer/accuracy/picture_error.h"
 
 #include <opencv2/imgproc.hpp>
 
-#include <glm/common.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <tbb/parallel_for.h>
@@ -13,7 +13,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 namespace limner::accuracy {
 
@@ -37,12 +36,6 @@ constexpr std::array<Channel, 3> kBlur = {{
 const glm::dmat3 kOpponent{
     {0.2787336, -0.4487736, 0.0859513}, {0.7218031, 0.2898056, -0.5899859}, {-0.1065520, 0.0771569, 0.5011089}};
 
-/// Linear sRGB to XYZ (IEC 61966-2-1); columns of red, green, blue.
-const glm::dmat3 kXyz{{0.4124, 0.2126, 0.0193}, {0.3576, 0.7152, 0.1192}, {0.1805, 0.0722, 0.9505}};
-
-double linear(double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); }
-double encoded(double v) { return v <= 0.0031308 ? v * 12.92 : 1.055 * std::pow(v, 1 / 2.4) - 0.055; }
-
 using Channels = std::array<cv::Mat, 3>;
 
 Channels opponentChannels(const Picture& picture, const glm::dvec3& background) {
@@ -52,11 +45,8 @@ Channels opponentChannels(const Picture& picture, const glm::dvec3& background) 
     }
     tbb::parallel_for(0, picture.size().y, [&](int y) {
         for (int x = 0; x < picture.size().x; ++x) {
-            const float* p = picture.pixel(x, y);
-            const bool sound = std::all_of(p, p + 4, [](float v) { return std::isfinite(v); });
-            const glm::dvec3 shown = sound ? glm::dvec3(p[0], p[1], p[2]) + (1.0 - p[3]) * background : glm::dvec3(1);
-            const glm::dvec3 inside = glm::clamp(shown, 0.0, 1.0);
-            const glm::dvec3 o = kOpponent * (kXyz * glm::dvec3(linear(inside.r), linear(inside.g), linear(inside.b)));
+            const float* pixel = picture.pixel(x, y);
+            const glm::dvec3 o = kOpponent * xyzOfSrgb(isSound(pixel) ? laidOn(pixel, background) : glm::dvec3(1));
             for (int i = 0; i < 3; ++i) {
                 channels[static_cast<std::size_t>(i)].at<double>(y, x) = o[i];
             }
@@ -94,12 +84,10 @@ std::vector<float> perceivedDifferences(const Picture& picture, const Picture& r
         first[i] = blurred(first[i], kBlur[i], pixelsPerDegree);
         second[i] = blurred(second[i], kBlur[i], pixelsPerDegree);
     }
-    const glm::dmat3 back = glm::inverse(kOpponent * kXyz);
+    const glm::dmat3 back = glm::inverse(kOpponent);
     const auto lab = [&](const Channels& channels, int y, int x) {
-        const glm::dvec3 rgb =
-            back * glm::dvec3(channels[0].at<double>(y, x), channels[1].at<double>(y, x), channels[2].at<double>(y, x));
-        const glm::dvec3 inside = glm::clamp(rgb, 0.0, 1.0);
-        return labOfSrgb({encoded(inside.r), encoded(inside.g), encoded(inside.b)});
+        return labOfXyz(back * glm::dvec3(channels[0].at<double>(y, x), channels[1].at<double>(y, x),
+                                          channels[2].at<double>(y, x)));
     };
     const int width = picture.size().x;
     std::vector<float> differences(picture.rgba().size() / 4);
@@ -110,19 +98,6 @@ std::vector<float> perceivedDifferences(const Picture& picture, const Picture& r
         }
     });
     return differences;
-}
-
-PerceivedError perceivedSummary(std::vector<float> differences) {
-    PerceivedError error;
-    if (differences.empty()) {
-        return error;
-    }
-    error.mean = std::accumulate(differences.begin(), differences.end(), 0.0) / static_cast<double>(differences.size());
-    const std::size_t at = (differences.size() * 95 + 99) / 100 - 1;
-    std::nth_element(differences.begin(), differences.begin() + static_cast<std::ptrdiff_t>(at), differences.end());
-    error.p95 = differences[at];
-    error.largest = *std::max_element(differences.begin() + static_cast<std::ptrdiff_t>(at), differences.end());
-    return error;
 }
 
 } // namespace limner::accuracy

@@ -18,12 +18,4 @@ double pixelsPerDegree(double pixelsPerMm);
 std::vector<float> perceivedDifferences(const Picture& picture, const Picture& reference, const glm::dvec3& background,
                                         double pixelsPerDegree);
 
-/// What a share of the pixels stays below, and the mean.
-struct PerceivedError {
-    double mean = 0;
-    double p95 = 0;
-    double largest = 0;
-};
-PerceivedError perceivedSummary(std::vector<float> differences);
-
 } // namespace limner::accuracy

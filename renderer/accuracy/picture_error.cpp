@@ -9,21 +9,13 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace limner::accuracy {
 
 namespace {
 
 constexpr float kWorstColour = 100; ///< of a pixel that is no number: black against white
-
-bool finite(const float* pixel) {
-    return std::all_of(pixel, pixel + 4, [](float v) { return std::isfinite(v); });
-}
-
-glm::dvec3 shown(const float* pixel, const glm::dvec3& background) {
-    const double clear = 1 - static_cast<double>(pixel[3]);
-    return glm::clamp(glm::dvec3(pixel[0], pixel[1], pixel[2]) + clear * background, 0.0, 1.0);
-}
 
 /// The value that a share of them does not exceed; reorders.
 float quantile(std::vector<float>& values, double share) {
@@ -33,6 +25,24 @@ float quantile(std::vector<float>& values, double share) {
 }
 
 } // namespace
+
+bool isSound(const float* pixel) {
+    return std::all_of(pixel, pixel + 4, [](float v) { return std::isfinite(v); });
+}
+
+glm::dvec3 laidOn(const float* pixel, const glm::dvec3& background) {
+    const double clear = 1 - static_cast<double>(pixel[3]);
+    return glm::clamp(glm::dvec3(pixel[0], pixel[1], pixel[2]) + clear * background, 0.0, 1.0);
+}
+
+ColourSummary summaryOf(std::vector<float> differences) {
+    if (differences.empty()) {
+        return {};
+    }
+    const double sum = std::accumulate(differences.begin(), differences.end(), 0.0);
+    const float largest = *std::max_element(differences.begin(), differences.end());
+    return {sum / static_cast<double>(differences.size()), quantile(differences, 0.95), largest};
+}
 
 double PictureError::psnr() const {
     return rmse > 0 ? -20 * std::log10(rmse) : std::numeric_limits<double>::infinity();
@@ -62,11 +72,11 @@ std::vector<float> colourDifferences(const Picture& picture, const Picture& refe
     tbb::parallel_for(std::size_t{0}, pixels, [&](std::size_t i) {
         const float* a = picture.rgba().data() + 4 * i;
         const float* b = reference.rgba().data() + 4 * i;
-        if (!finite(a)) {
+        if (!isSound(a)) {
             differences[i] = kWorstColour;
         } else if (!std::equal(a, a + 4, b)) {
             differences[i] =
-                static_cast<float>(ciede2000(labOfSrgb(shown(a, background)), labOfSrgb(shown(b, background))));
+                static_cast<float>(ciede2000(labOfSrgb(laidOn(a, background)), labOfSrgb(laidOn(b, background))));
         }
     });
     return differences;
@@ -86,19 +96,15 @@ PictureError measureError(const Picture& picture, const Picture& reference, cons
     for (std::size_t i = 0; i < a.size(); ++i) {
         channels[i] = std::isfinite(a[i]) ? std::abs(a[i] - b[i]) : 1.0F;
         squares += static_cast<double>(channels[i]) * channels[i];
-        error.notFinite += i % 4 == 0 && !finite(a.data() + i) ? 1 : 0;
+        error.notFinite += i % 4 == 0 && !isSound(a.data() + i) ? 1 : 0;
     }
     error.rmse = std::sqrt(squares / static_cast<double>(a.size()));
     error.largest = *std::max_element(channels.begin(), channels.end());
     error.most999 = quantile(channels, 0.999);
-    std::vector<float> colours = colourDifferences(picture, reference, background);
-    double sum = 0;
-    for (const float c : colours) {
-        sum += c;
-        error.largestColour = std::max(error.largestColour, static_cast<double>(c));
-    }
-    error.meanColour = sum / static_cast<double>(colours.size());
-    error.p95Colour = quantile(colours, 0.95);
+    const ColourSummary colours = summaryOf(colourDifferences(picture, reference, background));
+    error.meanColour = colours.mean;
+    error.p95Colour = colours.p95;
+    error.largestColour = colours.largest;
     return error;
 }
 

@@ -29,6 +29,20 @@ struct PictureError {
 /// Both of one size. `background`: sRGB.
 PictureError measureError(const Picture& picture, const Picture& reference, const glm::dvec3& background);
 
+/// Whether a pixel's four channels are numbers.
+bool isSound(const float* pixel);
+
+/// A premultiplied pixel as it is seen on the background; sRGB, 0..1.
+glm::dvec3 laidOn(const float* pixel, const glm::dvec3& background);
+
+/// Of colour differences: the mean, what 95 % of the pixels do not exceed, the largest. No pixels: zeros.
+struct ColourSummary {
+    double mean = 0;
+    double p95 = 0;
+    double largest = 0;
+};
+ColourSummary summaryOf(std::vector<float> differences);
+
 /// Colour difference of every pixel, row by row.
 std::vector<float> colourDifferences(const Picture& picture, const Picture& reference, const glm::dvec3& background);
 

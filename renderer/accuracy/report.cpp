@@ -1,4 +1,3 @@
-#include "renderer/accuracy/perceived_error.h"
 #include "renderer/accuracy/study.h"
 
 #include <nlohmann/json.hpp>
@@ -91,7 +90,7 @@ std::string reportJson(const Study& study) {
     }
     Facts perceived = nullptr;
     if (!study.perceived.empty()) {
-        const PerceivedError seen = perceivedSummary(study.perceived);
+        const ColourSummary seen = summaryOf(study.perceived);
         perceived = {{"mean", seen.mean}, {"p95", seen.p95}, {"max", seen.largest}};
     }
     const Facts facts{{"title", study.title},

@@ -1,6 +1,5 @@
 #include "core/style/png_writing.h"
 #include "renderer/accuracy/error_chart.h"
-#include "renderer/accuracy/perceived_error.h"
 #include "renderer/export/svg_text.h"
 
 #include <glm/vec3.hpp>
@@ -90,7 +89,7 @@ std::string summary(const Study& study) {
                 " % of their pixels are in one of the two pictures only.</p>\n";
     }
     if (!study.perceived.empty()) {
-        const PerceivedError seen = perceivedSummary(study.perceived);
+        const ColourSummary seen = summaryOf(study.perceived);
         text += "<p>Seen from 300 mm away, where fine patterns blend, 95 % of the pixels are within CIEDE2000 " +
                 number(seen.p95) + " of the best picture (mean " + number(seen.mean) + ", largest " +
                 number(seen.largest) + ").</p>\n";

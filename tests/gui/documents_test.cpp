@@ -287,7 +287,7 @@ TEST(Documents, AScanThatIsNowhereCanBeShownByHand) {
 TEST(Documents, AFolderThatIsNowhereCanBeShownByHand) {
     const auto series = testing::testData("dicom/odd/torso128_reference");
     if (!series)
-        GTEST_SKIP();
+        GTEST_SKIP() << "the test scans are not here";
     const WithProject files;
     const fs::path slices = files.project.parent_path() / "slices";
     fs::copy(*series, slices);

@@ -40,7 +40,7 @@ Picture squares(int edge) {
 }
 
 double meanSeen(const Picture& picture, double perDegree) {
-    return perceivedSummary(perceivedDifferences(picture, plain(), kPaper, perDegree)).mean;
+    return summaryOf(perceivedDifferences(picture, plain(), kPaper, perDegree)).mean;
 }
 
 TEST(PerceivedError, IsNothingBetweenEqualPictures) { EXPECT_EQ(meanSeen(plain(), 60), 0); }
@@ -75,7 +75,7 @@ TEST(PerceivedError, CountsAPixelThatIsNoNumber) {
     Picture broken = greys([](int, int) { return 0.0; });
     const Picture black = broken;
     broken.pixel(5, 5)[1] = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_GT(perceivedSummary(perceivedDifferences(broken, black, kPaper, 1)).largest, 50);
+    EXPECT_GT(summaryOf(perceivedDifferences(broken, black, kPaper, 1)).largest, 50);
 }
 
 } // namespace
