@@ -59,6 +59,9 @@ struct TransferTable {
     double high = 1;
     std::vector<float> opacity; ///< of the reference length, layer opacity included; two axes: the greatest of all rows
     std::vector<float> index;   ///< fractional node index along X
+    /// Fractional entry of each node along X: between two of them the index is linear. Empty where it is not, by levels
+    /// that a volume keeps unevenly.
+    std::vector<double> nodeEntries;
     TransferAxis axisX = TransferAxis::value;
 
     /// Two axes only; row r stands for lowY + r * (highY - lowY) / (rows - 1), or for `labels[r]`.
@@ -70,6 +73,7 @@ struct TransferTable {
     /// where the document has no position for them), the others follow by rising number. Read with the nearest row.
     std::vector<int> labels;
     std::vector<float> rowIndex;  ///< fractional node index along Y of every row
+    std::vector<double> nodeRows; ///< as `nodeEntries`; not over labels
     std::vector<float> opacity2d; ///< rows * opacity.size(), row after row, layer opacity included
 
     /// Node (ix, iy), counted along X and Y, has style `nodeToStyle[ix * nodeStrideX + iy * nodeStrideY]` of

@@ -85,6 +85,21 @@ std::vector<double> entryPositions(const TransferTable& table, const Volume& vol
     return positions;
 }
 
+/// Where nodes lie among `count` entries of a range.
+std::vector<double> entriesOf(std::vector<double> nodes, ValueRange range, std::size_t count) {
+    const double last = static_cast<double>(count - 1);
+    for (double& at : nodes) {
+        at = (at / 2 - range.low / 2) / (range.high / 2 - range.low / 2) * last; // halves: no overflow
+    }
+    return nodes;
+}
+
+/// The same of the columns.
+std::vector<double> nodeEntries(const TransferTable& table, const Volume& volume, std::vector<double> nodes) {
+    const bool uneven = table.axisX == TransferAxis::value && !volume.contents().levels.empty();
+    return uneven ? std::vector<double>() : entriesOf(std::move(nodes), {table.low, table.high}, table.opacity.size());
+}
+
 int atLeastOne(std::size_t count) { return static_cast<int>(std::max(count, std::size_t{1})); }
 
 float layerOpacity(const Layer& layer, double opacity) {
@@ -160,6 +175,7 @@ TransferTable bakeCurve(const Layer& layer, const Volume& volume, const AxisRang
         table.opacity[k] = layerOpacity(layer, curveOpacityAt(layer.transfer, positions[k]));
         table.index[k] = static_cast<float>(nodeIndexAt(layer.transfer.nodes, positions[k]));
     }
+    table.nodeEntries = nodeEntries(table, volume, nodePositions(layer.transfer).first);
     table.nodesX = table.nodeStrideY = atLeastOne(layer.transfer.nodes.size());
     return table;
 }
@@ -215,6 +231,7 @@ TransferTable bakePlane(const Layer& layer, const Volume& volume, const AxisRang
     for (std::size_t k = 0; k < table.index.size(); ++k) {
         table.index[k] = static_cast<float>(gridIndexAt(nodes.first, xs[k], false));
     }
+    table.nodeEntries = nodeEntries(table, volume, nodes.first);
     if (axisY == TransferAxis::label) {
         setLabelRows(table, nodes.second);
     } else {
@@ -227,6 +244,7 @@ TransferTable bakePlane(const Layer& layer, const Volume& volume, const AxisRang
             const double y = entryPosition(across, row, static_cast<std::size_t>(kPlaneRows));
             table.rowIndex.push_back(static_cast<float>(gridIndexAt(nodes.second, y, false)));
         }
+        table.nodeRows = entriesOf(nodes.second, across, static_cast<std::size_t>(kPlaneRows));
     }
     table.nodesX = atLeastOne(nodes.first.size());
     table.nodesY = atLeastOne(nodes.second.size());

@@ -56,9 +56,8 @@ HWY_INLINE Normal normalAt(const Field& field, const typename Field::Place& plac
 
 /// How far a normal is trusted: 0 at the gradient floor, 1 from twice of it on (numerics 2a).
 HWY_INLINE Floats trust(const KernelScene& scene, Floats magnitude) {
-    const Floats floor = splat(scene.gradientFloor);
-    const Floats t =
-        hn::Min(hn::Max(hn::Div(hn::Sub(magnitude, floor), hn::Max(floor, splat(1e-30F))), splat(0)), splat(1));
+    const Floats above = hn::Sub(magnitude, splat(scene.gradientFloor));
+    const Floats t = hn::Min(hn::Max(hn::Mul(above, splat(scene.perGradientFloor)), splat(0)), splat(1));
     return hn::Mul(hn::Mul(t, t), hn::NegMulAdd(splat(2), t, splat(3)));
 }
 
@@ -120,9 +119,7 @@ struct Facts {
     Floats part;            ///< share of a step that the sample stands for
     Normal normal;          ///< where some layer reads it; so are all that follow
     Floats trusted;         ///< 0: the normal means nothing, 1: it is sound
-    Floats unitMagnitude;   ///< of the gradient, over the one that counts as 1
     Floats bend;            ///< curvature along the view by the Hessian, 1/mm
-    Floats depth;           ///< distance along the view over the target's
     bool moved = false;     ///< the surface is a cut's or blurred, no longer the field's own
     Floats flat = splat(0); ///< share of a cut's face
     int faceCount = 0;
@@ -142,12 +139,9 @@ struct Facts {
         }
         if (scene.readsGradientScale) {
             trusted = trust(scene, normal.magnitude);
-            unitMagnitude = hn::Min(hn::Mul(normal.magnitude, splat(scene.perGradientMax)), splat(1));
             if (scene.readsBend) {
                 bend = gated(trusted, bendAlongView());
             }
-            const float* d = scene.depthFromCell;
-            depth = hn::Add(dot(q, {splat(d[0]), splat(d[1]), splat(d[2])}), splat(d[3]));
         }
         if (scene.labels != nullptr) {
             findMembers(scene.labels, place, place.template offsetsIn<1, VoxelField::kBytes>(), members);
@@ -215,9 +209,16 @@ struct Facts {
             moved = true;
             normal = normalOf(g, view);
             trusted = trust(scene, normal.magnitude);
-            unitMagnitude = hn::Min(hn::Mul(normal.magnitude, splat(scene.perGradientMax)), splat(1));
         }
     }
+
+    /// Of the gradient, over the one that counts as 1.
+    HWY_INLINE Floats unitMagnitude() const {
+        return hn::Min(hn::Mul(normal.magnitude, splat(field.scene.perGradientMax)), splat(1));
+    }
+
+    /// Distance along the view over the target's.
+    HWY_INLINE Floats depth() const { return linear(field.scene.depthFromCell); }
 
     /// A number that is linear in the position.
     HWY_INLINE Floats linear(const float (&fromCell)[4]) const {

@@ -154,6 +154,43 @@ HWY_INLINE WordPair gatherPairs(const void* base, const Offsets<Offset>& offsets
 
 #endif
 
+/// So many lanes' RGBA fill a vector: a block of four channels each.
+constexpr std::size_t kBlocks = hn::MaxLanes(kF) / 4;
+
+/// Blocks of 16 bytes that begin with kBlocks of an array's elements.
+template <typename Element>
+HWY_INLINE Ints gatherBlocks(const Element* array, const std::int32_t* elements) {
+    const auto block = [&](int i) HWY_ATTR {
+        return hn::LoadU(hn::Simd<std::int32_t, 4, 0>(), reinterpret_cast<const std::int32_t*>(array + elements[i]));
+    };
+#if HWY_TARGET == HWY_AVX3
+    const auto two = [&](int i) HWY_ATTR {
+        return _mm256_inserti128_si256(_mm256_castsi128_si256(block(i).raw), block(i + 1).raw, 1);
+    };
+    return join(two(0), two(2));
+#elif HWY_TARGET == HWY_AVX2
+    return Ints{_mm256_inserti128_si256(_mm256_castsi128_si256(block(0).raw), block(1).raw, 1)};
+#else
+    return block(0);
+#endif
+}
+
+/// Lanes `from` to `from` + kBlocks - 1, each in all four places of its block.
+HWY_INLINE Ints spread(Ints v, std::size_t from) {
+    struct Order {
+        alignas(64) std::int32_t lane[4 * kMaxLanes];
+    };
+    static constexpr Order order = [] {
+        Order lanes{};
+        for (int i = 0; i < 4 * kMaxLanes; ++i) {
+            lanes.lane[i] = i / 4;
+        }
+        return lanes;
+    }();
+    return hn::TableLookupLanes(v, hn::IndicesFromVec(kI, hn::Load(kI, order.lane + 4 * from)));
+}
+HWY_INLINE Floats spread(Floats v, std::size_t from) { return hn::BitCast(kF, spread(hn::BitCast(kI, v), from)); }
+
 /// Words at 32-bit byte offsets.
 HWY_INLINE Ints gatherAt(const void* base, Ints byteOffsets) {
     Offsets<std::uint32_t> offsets;

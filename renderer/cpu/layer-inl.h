@@ -102,10 +102,10 @@ class LayerEvaluation {
     HWY_INLINE Floats evaluate(const Facts<Field>& facts, LaneColours& out) const {
         const Floats width = contourWidth(facts);
         if (layer_.opacityByValue) {
-            const TablePlace at(entryOf(facts.tableEntry));
-            const Floats opacity = stepOpacity().read(at, facts.part);
+            const Floats entry = entryOf(facts.tableEntry);
+            const Floats opacity = stepOpacity().read(TablePlace(entry), facts.part);
             if (!hn::AllFalse(kF, hn::Gt(opacity, splat(0)))) {
-                colour(facts, width, nodesOfLine(at), out);
+                colour(facts, width, nodesOfLine(entry), out);
                 tint(facts, out);
             }
             return opacity;
@@ -138,7 +138,7 @@ class LayerEvaluation {
         } else {
             NodeBlend nodes;
             if ((layer_.singleSlot < 0 && !layer_.oneColour) || layer_.textures != nullptr) {
-                nodes = nodesOfLine(TablePlace(entryOf(facts.tableEntry)));
+                nodes = nodesOfLine(entryOf(facts.tableEntry));
             }
             colour(facts, width, nodes, out);
         }
@@ -176,7 +176,7 @@ class LayerEvaluation {
             return hn::Mul(splat(contours.fixedWidth), facts.trusted);
         }
         const Floats curvature = contours.normals ? facts.turn(splat(contours.probeMm)) : facts.bend;
-        const Floats thickness = hn::Mul(splat(contours.thicknessMm), facts.depth);
+        const Floats thickness = hn::Mul(splat(contours.thicknessMm), facts.depth());
         return optics::contourWidth(Lanes{hn::Mul(thickness, curvature)}).v;
     }
 
@@ -184,7 +184,7 @@ class LayerEvaluation {
     HWY_INLINE Floats axisEntry(const KernelAxis& axis, const Facts<Field>& facts) const {
         Floats raw = facts.tableEntry;
         switch (axis.axis) {
-        case TransferAxis::gradient: raw = facts.unitMagnitude; break;
+        case TransferAxis::gradient: raw = facts.unitMagnitude(); break;
         case TransferAxis::curvature: raw = facts.bend; break;
         case TransferAxis::distance:
             raw = axis.bricks != nullptr ? facts.other(axis.bricks) : distance(axis, facts.q);
@@ -208,32 +208,37 @@ class LayerEvaluation {
         return hn::Sqrt(dot(v, v));
     }
 
-    /// The two nodes of a line around a fractional index.
-    HWY_INLINE NodeBlend nodesOfLine(const TablePlace& at) const {
-        const Floats index = at.read(layer_.index);
+    /// Around an entry of the table; along X.
+    HWY_INLINE NodePlace columnOf(Floats entry) const {
+        return layer_.x.nodes.count > 0 ? nodePlace(layer_.x.nodes, entry)
+                                        : nodePlaceOf(TablePlace(entry).read(layer_.index));
+    }
+
+    /// The two nodes of a line around an entry of the table.
+    HWY_INLINE NodeBlend nodesOfLine(Floats entry) const {
+        const NodePlace at = columnOf(entry);
         NodeBlend nodes;
-        nodes.node[0] = truncate(index);
-        nodes.node[1] = hn::Min(hn::Add(nodes.node[0], splatInt(1)), splatInt(layer_.lastColumn));
-        nodes.weight[1] = hn::Sub(index, toFloat(nodes.node[0]));
-        nodes.weight[0] = hn::Sub(splat(1), nodes.weight[1]);
+        nodes.node[0] = at.node;
+        nodes.node[1] = hn::Min(hn::Add(at.node, splatInt(1)), splatInt(layer_.lastColumn));
+        nodes.weight[1] = at.beyond;
+        nodes.weight[0] = hn::Sub(splat(1), at.beyond);
         nodes.count = 2;
         return nodes;
     }
 
     /// The four nodes of a grid.
-    HWY_INLINE NodeBlend nodesOfGrid(Floats column, Floats rowIndex) const {
-        const auto along = [](Floats index, std::int32_t last, std::int32_t stride, Ints* node,
+    HWY_INLINE NodeBlend nodesOfGrid(const NodePlace& column, const NodePlace& row) const {
+        const auto along = [](const NodePlace& at, std::int32_t last, std::int32_t stride, Ints* node,
                               Floats* weight) HWY_ATTR {
-            const Ints low = truncate(index);
-            node[0] = hn::Mul(low, splatInt(stride));
-            node[1] = hn::Mul(hn::Min(hn::Add(low, splatInt(1)), splatInt(last)), splatInt(stride));
-            weight[1] = hn::Sub(index, toFloat(low));
-            weight[0] = hn::Sub(splat(1), weight[1]);
+            node[0] = hn::Mul(at.node, splatInt(stride));
+            node[1] = hn::Mul(hn::Min(hn::Add(at.node, splatInt(1)), splatInt(last)), splatInt(stride));
+            weight[1] = at.beyond;
+            weight[0] = hn::Sub(splat(1), at.beyond);
         };
         Ints x[2], y[2];
         Floats wx[2], wy[2];
         along(column, layer_.lastColumn, layer_.columnStride, x, wx);
-        along(rowIndex, layer_.lastRow, layer_.nodeRowStride, y, wy);
+        along(row, layer_.lastRow, layer_.nodeRowStride, y, wy);
         NodeBlend nodes;
         nodes.count = 4;
         for (int i = 0; i < 4; ++i) {
@@ -245,13 +250,14 @@ class LayerEvaluation {
 
     /// Opacity of the reference length at a place whose row is given (label axes) or found; colours into `out`.
     HWY_NOINLINE Floats row(const Facts<Field>& facts, Floats width, Floats rowEntry, LaneColours& out) const {
-        const TablePlace x(axisEntry(layer_.x, facts));
+        const Floats entry = axisEntry(layer_.x, facts);
+        const TablePlace x(entry);
         if (layer_.rows == 0) {
             const Floats opacity = x.read(layer_.opacity);
             if (hn::AllFalse(kF, hn::Gt(opacity, splat(0)))) {
                 return opacity;
             }
-            colour(facts, width, nodesOfLine(x), out);
+            colour(facts, width, nodesOfLine(entry), out);
             return transparency(facts, width, opacity, out);
         }
         const Floats y = layer_.rowOfSlot != nullptr ? rowEntry : axisEntry(layer_.y, facts);
@@ -265,8 +271,15 @@ class LayerEvaluation {
         if (hn::AllFalse(kF, hn::Gt(opacity, splat(0)))) {
             return opacity;
         }
-        const Floats rowIndex = lerp(gatherFloats(layer_.rowIndex, low), gatherFloats(layer_.rowIndex, high), fraction);
-        colour(facts, width, nodesOfGrid(x.read(layer_.index), hn::Max(rowIndex, splat(0))), out);
+        NodePlace rowAt;
+        if (layer_.y.nodes.count > 0) {
+            rowAt = nodePlace(layer_.y.nodes, y);
+        } else {
+            const Floats index =
+                lerp(gatherFloats(layer_.rowIndex, low), gatherFloats(layer_.rowIndex, high), fraction);
+            rowAt = nodePlaceOf(hn::Max(index, splat(0)));
+        }
+        colour(facts, width, nodesOfGrid(columnOf(entry), rowAt), out);
         return transparency(facts, width, opacity, out);
     }
 
@@ -331,7 +344,7 @@ class LayerEvaluation {
         }
         const Lanes facing{hn::Min(hn::Abs(facts.normal.facing), splat(1))};
         return optics::illustrativeOpacity(Lanes{directional}, Lanes{opacity}, facing, Lanes{width},
-                                           Lanes{facts.unitMagnitude})
+                                           Lanes{facts.unitMagnitude()})
             .v;
     }
 
@@ -352,7 +365,7 @@ class LayerEvaluation {
             slot.weight[0] = splat(1);
             sphereColours(scene_.atlas, query, slot, out);
         } else {
-            sphereColours(scene_.atlas, query, slotsOf(layer_.slotOfNode, nodes), out);
+            sphereColours(scene_.atlas, query, slotsOf(layer_, nodes), out);
         }
         if (layer_.textures != nullptr) {
             layTextures(TexturePlace(scene_, facts.q, facts.normal.eye, facts.trusted), layer_.textures, nodes, out);
@@ -388,7 +401,7 @@ class LayerEvaluation {
         if (atlas.levelStart == nullptr) {
             return splat(0);
         }
-        const Lanes footprint{hn::Mul(splat(atlas.footprintVoxels), facts.depth)};
+        const Lanes footprint{hn::Mul(splat(atlas.footprintVoxels), facts.depth())};
         Floats curvature = splat(0);
         if (layer_.curvedLevels) { // contours read the rim, however the surface turns
             curvature = hn::Mul(hn::Mul(splat(atlas.voxelMm), facts.bend), uninked(facts, width));

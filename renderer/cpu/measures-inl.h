@@ -36,7 +36,7 @@ class ImportanceMeasures {
                 hn::MulAdd(facts.tableEntry, splat(settings.intensityScale), splat(settings.intensityBias));
             return optics::intensityImportance(Lanes{value}).v;
         });
-        add(settings.gradient, [&]() HWY_ATTR { return facts.unitMagnitude; });
+        add(settings.gradient, [&]() HWY_ATTR { return facts.unitMagnitude(); });
         add(settings.silhouette, [&]() HWY_ATTR {
             silhouetteness_ = silhouettenessOf(facts);
             return silhouetteness_;
@@ -75,7 +75,7 @@ class ImportanceMeasures {
         const optics::SilhouetteTerms<Lanes> terms = {Lanes{splat(settings_.silhouetteExponent)},
                                                       Lanes{splat(settings_.silhouetteLow)},
                                                       Lanes{splat(settings_.silhouetteHigh)}};
-        return optics::silhouetteness(Lanes{facts.unitMagnitude}, Lanes{hn::Abs(facts.normal.facing)}, terms).v;
+        return optics::silhouetteness(Lanes{facts.unitMagnitude()}, Lanes{hn::Abs(facts.normal.facing)}, terms).v;
     }
 
     HWY_NOINLINE Floats lightingOf(const Facts<Field>& facts) const {
@@ -89,7 +89,7 @@ class ImportanceMeasures {
             return Lanes{hn::IfThenElse(hn::Lt(facts.normal.facing, splat(0)), hn::Neg(cosine), cosine)};
         };
         return optics::lightingImportance(turnedToViewer(dot(n, {half.x.v, half.y.v, half.z.v})),
-                                          turnedToViewer(dot(n, light)), Lanes{facts.unitMagnitude},
+                                          turnedToViewer(dot(n, light)), Lanes{facts.unitMagnitude()},
                                           {settings_.highlight, settings_.diffuse, settings_.flat})
             .v;
     }

@@ -108,7 +108,7 @@ class LayerParts {
     }
 
     HWY_INLINE Floats curve(const float* table) const {
-        return table != nullptr ? TablePlace(entryOf(facts_.unitMagnitude)).read(table) : splat(1);
+        return table != nullptr ? TablePlace(entryOf(facts_.unitMagnitude())).read(table) : splat(1);
     }
 
     /// Colours of the place, and their opacity factors.

@@ -20,8 +20,6 @@ struct LaneColours {
 
 using Quad = hn::Vec<hn::Simd<float, 4, 0>>;
 constexpr hn::Simd<float, 4, 0> kQuad;
-constexpr hn::Simd<std::int32_t, 4, 0> kQuadInts;
-constexpr hn::Simd<std::int16_t, 8, 0> kQuadPairs;
 
 /// The alpha of an RGBA.
 HWY_INLINE auto alphaLane() {
@@ -100,174 +98,204 @@ HWY_INLINE SpherePlace spherePlace(Ints size, const SphereQuery& query) {
 constexpr float kWhole = 32767.0F; ///< weight 1 of the integer interpolation
 constexpr float kUnit = 1.0F / (kWhole * kWhole);
 
-/// A whole number of parts of `whole`, for a share from 0 to 1.
-HWY_INLINE Ints shareOf(Ints whole, Floats share) { return truncate(hn::MulAdd(toFloat(whole), share, splat(0.5F))); }
-
-/// Weights of a pair of neighbours, as pairs of 16-bit numbers in one word.
-HWY_INLINE Ints pairOf(Ints whole, Floats right) {
-    const Ints second = shareOf(whole, right);
-    return hn::Or(hn::ShiftLeft<16>(second), hn::Sub(whole, second));
-}
-
-/// One sphere's texels and their weights, per lane.
-struct SphereTaps {
-    LaneInts texel; ///< of the atlas
-    LaneInts upper; ///< weights of the upper pair of texels
-    LaneInts lower;
-    /// `first`: texel of the atlas at which the sphere's picture begins.
-    HWY_INLINE void set(const SpherePlace& place, Ints first, Ints whole) {
-        texel = hn::Add(first, place.texel);
-        const Ints below = shareOf(whole, place.down);
-        upper = pairOf(hn::Sub(whole, below), place.right);
-        lower = pairOf(below, place.right);
-    }
-    /// Adds this sphere's part of a lane's colour, times kWhole^2: two multiply-adds of the four channels' pairs.
-    /// `size`: of the picture, texels.
-    HWY_INLINE void addTo(hn::Vec<decltype(kQuadInts)>& sum, const std::int16_t* texels, std::int32_t size,
-                          std::size_t lane) const {
-        const std::int16_t* at = texels + std::ptrdiff_t{4} * texel.at[lane];
-        sum = added(sum, at, upper.at[lane]);
-        sum = added(sum, at + std::ptrdiff_t{4} * size, lower.at[lane]);
-    }
-
-  private:
-    static HWY_INLINE hn::Vec<decltype(kQuadInts)> added(hn::Vec<decltype(kQuadInts)> sum, const std::int16_t* texels,
-                                                         std::int32_t weights) {
-        alignas(16) static constexpr std::uint8_t kPairs[16] = {0, 1, 8, 9, 2, 3, 10, 11, 4, 5, 12, 13, 6, 7, 14, 15};
-        const hn::Simd<std::uint8_t, 16, 0> bytes;
-        const auto two = hn::BitCast(bytes, hn::LoadU(kQuadPairs, texels)); // r g b a of two neighbours
-        const auto pairs = hn::BitCast(kQuadPairs, hn::TableLookupBytes(two, hn::Load(bytes, kPairs)));
-        hn::Vec<decltype(kQuadInts)> rest = hn::Zero(kQuadInts);
-        return hn::ReorderWidenMulAccumulate(kQuadInts, pairs, hn::BitCast(kQuadPairs, hn::Set(kQuadInts, weights)),
-                                             sum, rest);
+/// Weights of the upper and the lower two of four texels, per lane: a pair of 16-bit numbers each, all four together
+/// kWhole.
+struct TexelWeights {
+    Ints upper, lower;
+    HWY_INLINE explicit TexelWeights(const SpherePlace& place) {
+        const hn::Repartition<std::int16_t, IntTag> shorts;
+        const auto whole = [](Floats share)
+                               HWY_ATTR { return truncate(hn::MulAdd(share, splat(kWhole), splat(0.5F))); };
+        const Ints right = whole(place.right);
+        const Ints down = whole(place.down);
+        const Ints left = hn::Sub(splatInt(static_cast<std::int32_t>(kWhole)), right);
+        const auto across = hn::BitCast(shorts, hn::Or(hn::ShiftLeft<16>(right), left));
+        const auto along = hn::BitCast(shorts, hn::Or(hn::ShiftLeft<16>(down), down));
+        const auto below = hn::MulFixedPoint15(across, along);
+        lower = hn::BitCast(kI, below);
+        upper = hn::BitCast(kI, hn::Sub(across, below));
     }
 };
 
-HWY_INLINE void storeSum(hn::Vec<decltype(kQuadInts)> sum, float* rgba) {
-    hn::Store(hn::Mul(hn::ConvertTo(kQuad, sum), hn::Set(kQuad, kUnit)), kQuad, rgba);
+/// Adds two neighbouring texels of kBlocks lanes by their weights: a multiply-add of the channels' pairs.
+/// `at`: four times the number of the left one.
+HWY_INLINE Ints addedPairs(Ints sum, const std::int16_t* texels, const std::int32_t* at, Ints weights) {
+    alignas(16) static constexpr std::uint8_t kPairs[16] = {0, 1, 8, 9, 2, 3, 10, 11, 4, 5, 12, 13, 6, 7, 14, 15};
+    const hn::Repartition<std::uint8_t, IntTag> bytes;
+    const hn::Repartition<std::int16_t, IntTag> shorts;
+    const auto two = hn::BitCast(bytes, gatherBlocks(texels, at)); // r g b a of both
+    const auto pairs = hn::BitCast(shorts, hn::TableLookupBytes(two, hn::LoadDup128(bytes, kPairs)));
+    Ints rest = hn::Zero(kI);
+    return hn::ReorderWidenMulAccumulate(kI, pairs, hn::BitCast(shorts, weights), sum, rest);
 }
 
+/// Of one sphere: its colour at the four texels, times kWhole^2.
+HWY_INLINE Floats bilinear(const std::int16_t* upper, const std::int32_t* upperAt, const std::int16_t* lower,
+                           const std::int32_t* lowerAt, const TexelWeights& weights, std::size_t lane) {
+    const Ints sum = addedPairs(hn::Zero(kI), upper, upperAt + lane, spread(weights.upper, lane));
+    return toFloat(addedPairs(sum, lower, lowerAt + lane, spread(weights.lower, lane)));
+}
+
+/// What each of some slots' spheres, and what its mean, has of a sample: where a normal means little, a style shows its
+/// mean.
+struct SphereShares {
+    Floats sphere[4];
+    Floats mean[4];
+    bool means; ///< some lane shows some
+    HWY_INLINE SphereShares(const NodeBlend& slots, Floats trusted)
+        : means(!hn::AllTrue(kF, hn::Ge(trusted, splat(1)))) {
+        for (int i = 0; i < slots.count; ++i) {
+            sphere[i] = hn::Mul(slots.weight[i], trusted);
+            mean[i] = hn::Sub(slots.weight[i], sphere[i]);
+        }
+    }
+};
+
+/// A slot's mean by lanes, without a branch: in a noisy scan every other one would mispredict.
+HWY_INLINE Floats addedMean(Floats sum, const KernelAtlas& atlas, const LaneInts& slot, Floats share,
+                            std::size_t lane) {
+    const Floats mean = hn::BitCast(kF, gatherBlocks(atlas.mean, slot.at + lane));
+    return hn::MulAdd(spread(share, lane), mean, sum);
+}
+
+/// The blend of some slots' spheres, each read from the atlas's finest pictures.
 template <int Count>
-HWY_INLINE void blendSpheres(const KernelAtlas& atlas, const SphereTaps* taps, LaneColours& out) {
-    for (std::size_t lane = 0; lane < hn::Lanes(kF); ++lane) {
-        hn::Vec<decltype(kQuadInts)> sum = hn::Zero(kQuadInts);
-        for (int i = 0; i < Count; ++i) {
-            taps[i].addTo(sum, atlas.texels, atlas.size, lane);
-        }
-        storeSum(sum, out.rgba + 4 * lane);
-    }
-}
-
-/// The weights of several nodes in whole numbers that add up to kWhole.
-struct WholeWeights {
-    Ints at[4];
-    HWY_INLINE explicit WholeWeights(const NodeBlend& nodes) {
-        Ints rest = splatInt(static_cast<std::int32_t>(kWhole));
-        for (int i = nodes.count - 1; i > 0; --i) {
-            at[i] = hn::Min(shareOf(splatInt(static_cast<std::int32_t>(kWhole)), nodes.weight[i]), rest);
-            rest = hn::Sub(rest, at[i]);
-        }
-        at[0] = rest;
-    }
-};
-
-/// Where a normal means little, a style shows its mean: `trusted` 0 to 1.
-HWY_NOINLINE inline void towardsMean(const KernelAtlas& atlas, const NodeBlend& slots, Floats trusted,
-                                     LaneColours& out) {
-    const LaneFloats share(trusted);
-    LaneInts slot[4];
-    LaneFloats weight[4];
-    for (int i = 0; i < slots.count; ++i) {
-        slot[i] = slots.node[i];
-        weight[i] = slots.weight[i];
-    }
-    for (std::size_t lane = 0; lane < hn::Lanes(kF); ++lane) {
-        if (share.at[lane] < 1) {
-            Quad mean = hn::Zero(kQuad);
-            for (int i = 0; i < slots.count; ++i) {
-                const Quad one = hn::LoadU(kQuad, atlas.mean + std::ptrdiff_t{4} * slot[i].at[lane]);
-                mean = hn::MulAdd(hn::Set(kQuad, weight[i].at[lane]), one, mean);
-            }
-            const Quad c = hn::Load(kQuad, out.rgba + 4 * lane);
-            hn::Store(hn::MulAdd(hn::Sub(c, mean), hn::Set(kQuad, share.at[lane]), mean), kQuad, out.rgba + 4 * lane);
-        }
-    }
-}
-
-/// The blend of the spheres in some slots, each read from the atlas's finest pictures.
 HWY_INLINE void finestColours(const KernelAtlas& atlas, const SphereQuery& query, const NodeBlend& slots,
-                              LaneColours& out) {
-    SphereTaps taps[4];
-    const WholeWeights weights(slots);
+                              const SphereShares& shares, LaneColours& out) {
     const SpherePlace place = spherePlace(splatInt(atlas.size), query);
-    for (int i = 0; i < slots.count; ++i) {
-        taps[i].set(place, hn::Mul(slots.node[i], splatInt(atlas.size * atlas.size)), weights.at[i]);
+    const TexelWeights weights(place);
+    // Normals that mean nothing point anywhere: they would fetch what nobody needs.
+    const auto sound = hn::RebindMask(kI, hn::Gt(query.trusted, splat(0)));
+    LaneInts texel[Count];
+    LaneInts meanOf[Count];
+    Floats share[Count];
+    for (int i = 0; i < Count; ++i) {
+        const Ints first = hn::Mul(slots.node[i], splatInt(atlas.size * atlas.size));
+        texel[i] = hn::IfThenElseZero(sound, hn::ShiftLeft<2>(hn::Add(first, place.texel)));
+        meanOf[i] = hn::ShiftLeft<2>(slots.node[i]);
+        share[i] = hn::Mul(shares.sphere[i], splat(kUnit));
     }
-    switch (slots.count) {
-    case 1: blendSpheres<1>(atlas, taps, out); break;
-    case 2: blendSpheres<2>(atlas, taps, out); break;
-    default: blendSpheres<4>(atlas, taps, out); break;
+    const std::int16_t* below = atlas.texels + std::ptrdiff_t{4} * atlas.size;
+    for (std::size_t lane = 0; lane < hn::Lanes(kF); lane += kBlocks) {
+        Floats sum = splat(0);
+        for (int i = 0; i < Count && shares.means; ++i) {
+            sum = addedMean(sum, atlas, meanOf[i], shares.mean[i], lane);
+        }
+        for (int i = 0; i < Count; ++i) {
+            const Floats one = bilinear(atlas.texels, texel[i].at, below, texel[i].at, weights, lane);
+            sum = hn::MulAdd(one, spread(share[i], lane), sum);
+        }
+        hn::Store(sum, kF, out.rgba + 4 * lane);
     }
 }
 
-/// The same between the two mip levels around the one that each lane asks for.
+/// Adds one mip level of each lane's own. `part`: of the level.
+HWY_INLINE void addLevel(const KernelAtlas& atlas, const SphereQuery& query, Ints level, Floats part,
+                         const NodeBlend& slots, const SphereShares& shares, LaneColours& out) {
+    const Ints size = hn::Shr(splatInt(atlas.size), level);
+    const Ints start = gatherAt(atlas.levelStart, hn::ShiftLeft<2>(level));
+    const SpherePlace place = spherePlace(size, query);
+    const TexelWeights weights(place);
+    for (int i = 0; i < slots.count; ++i) {
+        const Ints first = hn::Add(start, hn::Mul(slots.node[i], hn::Mul(size, size)));
+        const Ints texel = hn::Add(first, place.texel);
+        const LaneInts upper(hn::ShiftLeft<2>(texel));
+        const LaneInts lower(hn::ShiftLeft<2>(hn::Add(texel, size)));
+        const Floats share = hn::Mul(hn::Mul(shares.sphere[i], part), splat(kUnit));
+        for (std::size_t lane = 0; lane < hn::Lanes(kF); lane += kBlocks) {
+            const Floats one = bilinear(atlas.texels, upper.at, atlas.texels, lower.at, weights, lane);
+            float* rgba = out.rgba + 4 * lane;
+            hn::Store(hn::MulAdd(one, spread(share, lane), hn::Load(kF, rgba)), kF, rgba);
+        }
+    }
+}
+
+/// The blend between the two mip levels around the one that each lane asks for.
 HWY_NOINLINE inline void levelColours(const KernelAtlas& atlas, const SphereQuery& query, const NodeBlend& slots,
-                                      LaneColours& out) {
+                                      const SphereShares& shares, LaneColours& out) {
+    for (std::size_t lane = 0; lane < hn::Lanes(kF); lane += kBlocks) {
+        Floats sum = splat(0);
+        for (int i = 0; i < slots.count && shares.means; ++i) {
+            sum = addedMean(sum, atlas, LaneInts(hn::ShiftLeft<2>(slots.node[i])), shares.mean[i], lane);
+        }
+        hn::Store(sum, kF, out.rgba + 4 * lane);
+    }
     const Ints fine = truncate(query.level);
     const Floats beyond = hn::Sub(query.level, toFloat(fine));
-    const int levels = hn::AllFalse(kF, hn::Gt(beyond, splat(0))) ? 1 : 2;
-    const WholeWeights weights(slots);
-    SphereTaps taps[2][4];
-    LaneInts sizes[2];
-    for (int k = 0; k < levels; ++k) {
-        const Ints level = hn::Min(hn::Add(fine, splatInt(k)), splatInt(atlas.lastLevel));
-        const Ints size = hn::Shr(splatInt(atlas.size), level);
-        const Ints start = gatherAt(atlas.levelStart, hn::ShiftLeft<2>(level));
-        const SpherePlace place = spherePlace(size, query);
-        sizes[k] = size;
-        for (int i = 0; i < slots.count; ++i) {
-            const Ints coarse = shareOf(weights.at[i], beyond);
-            const Ints first = hn::Add(start, hn::Mul(slots.node[i], hn::Mul(size, size)));
-            taps[k][i].set(place, first, k == 0 ? hn::Sub(weights.at[i], coarse) : coarse);
-        }
-    }
-    for (std::size_t lane = 0; lane < hn::Lanes(kF); ++lane) {
-        hn::Vec<decltype(kQuadInts)> sum = hn::Zero(kQuadInts);
-        for (int k = 0; k < levels; ++k) {
-            for (int i = 0; i < slots.count; ++i) {
-                taps[k][i].addTo(sum, atlas.texels, sizes[k].at[lane], lane);
-            }
-        }
-        storeSum(sum, out.rgba + 4 * lane);
+    const auto add = [&](int further, Floats part) HWY_ATTR {
+        const Ints level = hn::Min(hn::Add(fine, splatInt(further)), splatInt(atlas.lastLevel));
+        addLevel(atlas, query, level, part, slots, shares, out);
+    };
+    add(0, hn::Sub(splat(1), beyond));
+    if (!hn::AllFalse(kF, hn::Gt(beyond, splat(0)))) {
+        add(1, beyond);
     }
 }
 
 /// `sft`: the blend of the spheres in some slots of the atlas at a normal; `slots.node` are slots.
 HWY_INLINE void sphereColours(const KernelAtlas& atlas, const SphereQuery& query, const NodeBlend& slots,
                               LaneColours& out) {
-    if (atlas.levelStart == nullptr) {
-        finestColours(atlas, query, slots, out);
-    } else {
-        levelColours(atlas, query, slots, out);
+    const SphereShares shares(slots, query.trusted);
+    if (atlas.levelStart != nullptr) {
+        levelColours(atlas, query, slots, shares, out);
+        return;
     }
-    if (!hn::AllTrue(kF, hn::Ge(query.trusted, splat(1)))) {
-        towardsMean(atlas, slots, query.trusted, out);
+    switch (slots.count) {
+    case 1: finestColours<1>(atlas, query, slots, shares, out); break;
+    case 2: finestColours<2>(atlas, query, slots, shares, out); break;
+    default: finestColours<4>(atlas, query, slots, shares, out); break;
     }
 }
 
-/// Slots of nodes. Where both nodes of a line have the same sphere, or the second has no weight, one look-up will do.
-HWY_INLINE NodeBlend slotsOf(const std::int32_t* slotOfNode, const NodeBlend& nodes) {
-    NodeBlend slots = nodes;
-    for (int i = 0; i < nodes.count; ++i) {
-        slots.node[i] = gatherAt(slotOfNode, hn::ShiftLeft<2>(nodes.node[i]));
+/// Elements of a short table; at least kMostLanes of it can be read. As many as there are lanes lie in one vector.
+HWY_INLINE Ints lookUp(const std::int32_t* table, int count, Ints at) {
+    static_assert(hn::MaxLanes(kI) <= kMostLanes);
+    if (count <= static_cast<int>(hn::Lanes(kI))) {
+        return hn::TableLookupLanes(hn::LoadU(kI, table), hn::IndicesFromVec(kI, at));
     }
-    if (nodes.count == 2) {
-        const Mask same = hn::RebindMask(kF, hn::Eq(slots.node[0], slots.node[1]));
-        slots.weight[1] = hn::IfThenZeroElse(same, slots.weight[1]);
-        slots.weight[0] = hn::Sub(splat(1), slots.weight[1]);
-        if (hn::AllFalse(kF, hn::Gt(slots.weight[1], splat(0)))) {
-            slots.count = 1;
-        }
+    return gatherAt(table, hn::ShiftLeft<2>(at));
+}
+HWY_INLINE Floats lookUp(const float* table, int count, Ints at) {
+    return hn::BitCast(kF, lookUp(reinterpret_cast<const std::int32_t*>(table), count, at));
+}
+
+/// The node at or before a place on an axis, and how far it is to the next one.
+struct NodePlace {
+    Ints node;
+    Floats beyond;
+};
+
+HWY_INLINE NodePlace nodePlace(const KernelNodes& nodes, Floats entry) {
+    Ints node = hn::Zero(kI);
+    for (int i = 1; i < nodes.count; ++i) {
+        node = hn::IfThenElse(hn::RebindMask(kI, hn::Ge(entry, splat(nodes.from[i]))), splatInt(i), node);
+    }
+    const Floats from = lookUp(nodes.from, nodes.count, node);
+    const Floats share = hn::Mul(hn::Sub(entry, from), lookUp(nodes.perEntry, nodes.count, node));
+    return {node, hn::Min(hn::Max(share, splat(0)), splat(1))};
+}
+
+/// The same by a fractional index.
+HWY_INLINE NodePlace nodePlaceOf(Floats index) {
+    const Ints node = truncate(index);
+    return {node, hn::Sub(index, toFloat(node))};
+}
+
+/// Slots of nodes. Those of the first node's sphere are added to it, so that one sphere is the same however many nodes
+/// have it; where the others have no weight, one look-up will do.
+HWY_INLINE NodeBlend slotsOf(const KernelLayer& layer, const NodeBlend& nodes) {
+    NodeBlend slots = nodes;
+    slots.node[0] = lookUp(layer.slotOfNode, layer.nodes, nodes.node[0]);
+    Floats others = splat(0);
+    for (int i = 1; i < nodes.count; ++i) {
+        slots.node[i] = lookUp(layer.slotOfNode, layer.nodes, nodes.node[i]);
+        const Mask same = hn::RebindMask(kF, hn::Eq(slots.node[0], slots.node[i]));
+        slots.weight[i] = hn::IfThenZeroElse(same, slots.weight[i]);
+        others = hn::Add(others, slots.weight[i]);
+    }
+    slots.weight[0] = hn::Sub(splat(1), others);
+    if (hn::AllFalse(kF, hn::Gt(others, splat(0)))) {
+        slots.count = 1;
     }
     return slots;
 }

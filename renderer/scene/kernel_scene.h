@@ -4,9 +4,13 @@
 #include "core/style/transfer_function.h"
 #include "core/volume/volume.h"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace limner {
+
+/// Of any instruction set: arrays that are read a vector at a time are at least as long.
+inline constexpr std::size_t kMostLanes = 16;
 
 /// What a ray-casting kernel reads, on whichever processor: plain pointers and floats, made once per `render` call from
 /// a plan. Positions are in *cell* coordinates q = voxel + 1 (see BrickLayout: cell c spans the voxels c-1 and c).
@@ -15,12 +19,21 @@ namespace limner {
 /// weights.
 constexpr float kernelScale(VoxelType type) { return type == VoxelType::float32 ? 1.0F : 32767.0F; }
 
+/// Nodes along an axis of a transfer function: from entry `from[i]` on, the index is i + (entry - from[i]) *
+/// perEntry[i], at most i + 1. So few fit a vector or two, and no table need be read.
+struct KernelNodes {
+    int count = 0; ///< 0: the index is in a table
+    float from[kMostLanes]{};
+    float perEntry[kMostLanes]{};
+};
+
 /// How a place on an axis of a transfer function is found: raw * scale + bias, in entries of the layer's table.
 struct KernelAxis {
     TransferAxis axis = TransferAxis::value;
     float scale = 1;
     float bias = 0;
-    float last = 0;                       ///< last entry
+    float last = 0; ///< last entry
+    KernelNodes nodes;
     const std::uint8_t* bricks = nullptr; ///< distance from a label, second volume: int16, laid out as the voxels
     float from[3]{};                      ///< distance from a point: where, in cell coordinates
     float mmFromCell[3][3]{};             ///< and the grid's matrix, rows
@@ -121,9 +134,10 @@ struct KernelLayer {
     const float* opacity = nullptr;           ///< 1D: of the reference length
     const float* opacity2d = nullptr;         ///< 2D: of the reference length
     const float* colours = nullptr;           ///< 1D Phong and flat: RGBA of every entry and one more, 16-byte aligned
-    const float* index = nullptr;             ///< fractional node column of every entry
-    const float* rowIndex = nullptr;          ///< fractional node row of every row
-    const std::int32_t* slotOfNode = nullptr; ///< node -> atlas slot
+    const float* index = nullptr;             ///< fractional node column of every entry, as `x.nodes`
+    const float* rowIndex = nullptr;          ///< fractional node row of every row, as `y.nodes`
+    const std::int32_t* slotOfNode = nullptr; ///< node -> atlas slot; at least kMostLanes readable
+    std::int32_t nodes = 0;                   ///< of slotOfNode
     const float* nodeColours = nullptr;       ///< 2D Phong and flat: RGBA of every node, 16-byte aligned
     std::int32_t lastColumn = 0;              ///< of the nodes
     std::int32_t lastRow = 0;
@@ -239,7 +253,8 @@ struct KernelScene {
     float eyeFromBend[3][3]{};                ///< the same rows for their gradient, from its stored units per voxel
     float gradientRounding = 0;               ///< components of tap gradients up to this are 0; in stored units
     float gradientFloor = 0;
-    float perGradientMax = 1; ///< 1 / the gradient that counts as 1
+    float perGradientFloor = 1; ///< its inverse, finite
+    float perGradientMax = 1;   ///< 1 / the gradient that counts as 1
 
     bool readsNormal = false;        ///< some layer does
     bool readsGradientScale = false; ///< beside the normal's direction

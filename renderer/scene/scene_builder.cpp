@@ -22,6 +22,23 @@ bool leavesOutLookups(const RenderPlan& plan, const PlanLayer& layer) {
     return !plan.kept.has(LeaveOut::colourLookups) && hasOneColour(layer);
 }
 
+/// `entries`: where the nodes lie.
+KernelNodes kernelNodes(const std::vector<double>& entries) {
+    KernelNodes nodes;
+    if (entries.empty() || entries.size() > kMostLanes || !std::is_sorted(entries.begin(), entries.end())) {
+        return nodes;
+    }
+    nodes.count = static_cast<int>(entries.size());
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const double width = i + 1 < entries.size() ? entries[i + 1] - entries[i] : 0;
+        const bool jump = i > 0 && entries[i] == entries[i - 1];
+        // A value that lies on a jump is behind it, however its entry was rounded.
+        nodes.from[i] = static_cast<float>(std::clamp(jump ? entries[i] - 1.0 / 512 : entries[i], -1e30, 1e30));
+        nodes.perEntry[i] = width > 0 ? static_cast<float>(std::min(1 / width, 1e30)) : 0.0F;
+    }
+    return nodes;
+}
+
 } // namespace
 
 BuiltScene::BuiltScene(const RenderPlan& plan) {
@@ -119,6 +136,7 @@ void BuiltScene::setGradients(const RenderPlan& plan) {
     }
     scene_.gradientRounding = static_cast<float>(plan.gradientRounding);
     scene_.gradientFloor = static_cast<float>(plan.gradientFloor / stored);
+    scene_.perGradientFloor = 1 / std::max(scene_.gradientFloor, 1e-30F);
     scene_.perGradientMax = static_cast<float>(stored / plan.gradientMax);
     scene_.readsNormal = readsNormal(plan);
     scene_.readsGradientScale = readsGradientScale(plan);
@@ -320,6 +338,7 @@ void BuiltScene::addTransfer(const RenderPlan& plan, const PlanLayer& layer, Ker
     const auto entries = static_cast<std::int64_t>(table.opacity.size());
     out.opacityByValue = opacityByValue(layer);
     out.x = axis(plan, layer, table.axisX, {table.low, table.high, entries});
+    out.x.nodes = kernelNodes(table.nodeEntries);
     out.index = keep(table.index);
     if (table.rows == 0) {
         out.stepOpacity = keep(layer.stepOpacity);
@@ -327,6 +346,7 @@ void BuiltScene::addTransfer(const RenderPlan& plan, const PlanLayer& layer, Ker
         out.opacity = keep(table.opacity);
     } else {
         out.y = axis(plan, layer, table.axisY, {table.lowY, table.highY, table.rows});
+        out.y.nodes = kernelNodes(table.nodeRows);
         out.rows = table.rows;
         out.rowStride = static_cast<std::int32_t>(entries);
         out.opacity2d = keep(table.opacity2d);
@@ -374,6 +394,8 @@ void BuiltScene::addLook(const RenderPlan& plan, const PlanLayer& layer, KernelL
     out.directionalOpacity = plan.atlas->directionalOpacity &&
                              std::any_of(layer.styles.styles.begin(), layer.styles.styles.end(),
                                          [](const auto& s) { return s.sphere && s.sphere->hasDirectionalOpacity(); });
+    out.nodes = static_cast<std::int32_t>(slots.size());
+    slots.resize(std::max(slots.size(), kMostLanes), 0);
     slots_.push_back(std::move(slots));
     out.slotOfNode = slots_.back().data();
     if (!layer.textures.empty()) {
