@@ -189,7 +189,7 @@ bool DotDrawing::prepare(bool atOnce) {
         memory_.none = VertexArray(gl_);
         memory_.vertices = VertexArray(gl_);
         const auto stencils = DotStencils::instance().all();
-        TextureForm form = kNumbers;
+        TextureForm form{GL_TEXTURE_2D, GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT, GL_NEAREST};
         form.size = {DotStencils::kPhases * DotStencils::kPhases * DotStencils::kEdge, DotStencils::kSizes, 1};
         memory_.stencils = device_.makeTexture(form);
         gl_.TexImage2D(GL_TEXTURE_2D, 0, form.inside, form.size.x, form.size.y, 0, form.format, form.type,

@@ -97,26 +97,27 @@ class BandCanvas {
 
 template <typename Pixel>
 void BandCanvas<Pixel>::laySmall(const DotSplat& dot, const InkColour& rgb) {
-    constexpr int kUnitsPerPhase = DotSplat::kUnits / DotStencils::kPhases;
+    constexpr int kUnitBits = DotSplat::kLog2Units - DotStencils::kLog2Phases;
+    constexpr int kUnitsPerPhase = 1 << kUnitBits;
+    constexpr int kInPixel = DotStencils::kPhases - 1;
     constexpr auto kReach = static_cast<int>(DotStencils::kLargestRadius * DotStencils::kPhases);
-    const auto phases = [](int units) { return ((units + kUnitsPerPhase / 2) >> 4) - kReach; };
-    static_assert(kUnitsPerPhase == 16);
+    const auto phases = [](int units) { return ((units + kUnitsPerPhase / 2) >> kUnitBits) - kReach; };
     const int phasesX = phases(dot.x);
     const int phasesY = phases(dot.y);
-    const int x = phasesX >> 4;
-    const int y = phasesY >> 4;
-    static_assert(DotStencils::kPhases == 16);
+    const int x = phasesX >> DotStencils::kLog2Phases;
+    const int y = phasesY >> DotStencils::kLog2Phases;
     // Rounding to a phase may move it out of a band, or beyond the margin where it begins outside.
     if (x <= band_.origin.x - DotStencils::kEdge || x >= band_.origin.x + band_.size.x ||
         y <= band_.origin.y - DotStencils::kEdge || y >= band_.origin.y + band_.size.y)
         return;
-    const DotStencils::Stencil& stencil = DotStencils::instance().at(dot.radius, phasesX & 15, phasesY & 15);
-    const float scale = DotStencils::scaleOf(dot.radius) * dot.opacity;
+    const DotStencils::Stencil& stencil =
+        DotStencils::instance().at(dot.radius, phasesX & kInPixel, phasesY & kInPixel);
+    const float scale = DotStencils::scaleOf(dot.radius) * dot.opacity / DotStencils::kWhole;
     for (int row = 0; row < DotStencils::kEdge; ++row) {
-        Four shares;
+        std::uint16_t __attribute__((vector_size(8))) shares;
         static_assert(DotStencils::kEdge == 4);
         std::memcpy(&shares, stencil.data() + row * 4, sizeof shares);
-        Pixel::coverFour(at(x, y + row), shares * scale, rgb);
+        Pixel::coverFour(at(x, y + row), __builtin_convertvector(shares, Four) * scale, rgb);
     }
 }
 

@@ -1,5 +1,7 @@
 #include "renderer/marks/dot_stencils.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -28,8 +30,9 @@ DotStencils::Stencil coverageOf(double radius, double x, double y) {
     }
     const double scale = sum > 0 ? std::numbers::pi * radius * radius / sum : 0;
     DotStencils::Stencil stencil{};
-    std::transform(shares.begin(), shares.end(), stencil.begin(),
-                   [&](double share) { return static_cast<float>(std::min(share * scale, 1.0)); });
+    std::transform(shares.begin(), shares.end(), stencil.begin(), [&](double share) {
+        return static_cast<std::uint16_t>(std::lround(std::min(share * scale, 1.0) * DotStencils::kWhole));
+    });
     return stencil;
 }
 
@@ -41,13 +44,14 @@ const DotStencils& DotStencils::instance() {
 }
 
 DotStencils::DotStencils() {
-    stencils_.reserve(static_cast<std::size_t>(kSizes) * kPhases * kPhases);
-    for (int size = 1; size <= kSizes; ++size)
-        for (int y = 0; y < kPhases; ++y)
-            for (int x = 0; x < kPhases; ++x)
-                stencils_.push_back(coverageOf(static_cast<double>(size) / kSizesPerPixel,
-                                               kLargestRadius + static_cast<double>(x) / kPhases,
-                                               kLargestRadius + static_cast<double>(y) / kPhases));
+    constexpr std::size_t kOfSize = std::size_t{kPhases} * kPhases;
+    stencils_.resize(kSizes * kOfSize);
+    tbb::parallel_for(std::size_t{0}, std::size_t{kSizes} * kPhases, [&](std::size_t row) {
+        const double radius = static_cast<double>(row / kPhases + kFirstSize) / kSizesPerPixel;
+        const double y = kLargestRadius + static_cast<double>(row % kPhases) / kPhases;
+        for (std::size_t x = 0; x < kPhases; ++x)
+            stencils_[row * kPhases + x] = coverageOf(radius, kLargestRadius + static_cast<double>(x) / kPhases, y);
+    });
 }
 
 } // namespace limner

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -11,9 +13,11 @@ class DotStencils {
   public:
     static constexpr int kEdge = 4;
     static constexpr float kLargestRadius = 1.5F; ///< pixels: still inside 4 x 4 wherever it lies
-    static constexpr int kPhases = 16;            ///< of a pixel, each way
-    static constexpr int kSizes = 24;
-    using Stencil = std::array<float, kEdge * kEdge>;
+    static constexpr int kLog2Phases = 5;
+    static constexpr int kPhases = 1 << kLog2Phases; ///< of a pixel, each way
+    static constexpr int kSizes = 46;
+    static constexpr float kWhole = 65535;                    ///< a pixel that is covered
+    using Stencil = std::array<std::uint16_t, kEdge * kEdge>; ///< of a size, all stay in the first cache
 
     static const DotStencils& instance();
 
@@ -25,17 +29,18 @@ class DotStencils {
     /// By size, then by the phase down, then by the phase across.
     [[nodiscard]] std::span<const Stencil> all() const { return stencils_; }
     [[nodiscard]] static float scaleOf(float radius) {
-        const float ratio = radius * kSizesPerPixel / static_cast<float>(sizeOf(radius) + 1);
+        const float ratio = radius * kSizesPerPixel / static_cast<float>(sizeOf(radius) + kFirstSize);
         return ratio * ratio;
     }
 
   private:
-    static constexpr int kSizesPerPixel = 16;
+    static constexpr int kSizesPerPixel = 32;
+    static constexpr int kFirstSize = 3; ///< smaller ones are a few parts of kWhole, and no one sees their shape
 
     DotStencils();
     [[nodiscard]] static int sizeOf(float radius) {
         const int size = static_cast<int>(radius * kSizesPerPixel + 0.5F);
-        return size < 1 ? 0 : (size > kSizes ? kSizes - 1 : size - 1);
+        return std::clamp(size - kFirstSize, 0, kSizes - 1);
     }
 
     std::vector<Stencil> stencils_;

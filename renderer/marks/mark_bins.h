@@ -12,7 +12,8 @@ namespace limner {
 
 /// A dot in a picture's pixels.
 struct DotSplat {
-    static constexpr int kUnits = 256; ///< of `x` and `y` in a pixel
+    static constexpr int kLog2Units = 8;
+    static constexpr int kUnits = 1 << kLog2Units; ///< of `x` and `y` in a pixel
     std::int32_t x = 0;                ///< from the picture's corner
     std::int32_t y = 0;
     float radius = 0;

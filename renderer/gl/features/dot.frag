@@ -1,5 +1,5 @@
 // The share of a pixel that a dot covers: the blending takes it off what still shows through.
-uniform sampler2D stencils; // 256 a row, each four texels of four pixels
+uniform sampler2D stencils; // 1024 a row, each four texels of four pixels
 
 flat in ivec3 corner;
 flat in vec4 disc;
@@ -28,7 +28,7 @@ void main() {
         if (any(lessThan(from, ivec2(0))) || any(greaterThan(from, ivec2(3)))) {
             discard;
         }
-        covered = texelFetch(stencils, ivec2(4 * (corner.z & 255) + from.y, corner.z >> 8), 0)[from.x];
+        covered = texelFetch(stencils, ivec2(4 * (corner.z & 1023) + from.y, corner.z >> 10), 0)[from.x];
     } else {
         vec2 d = vec2(from) - disc.xy;
         float apart = length(d);

@@ -9,8 +9,9 @@ flat out vec4 disc;    // from the middle pixel's middle to the dot's, radius, o
 
 const float kFarthest = 2e6;
 const float kLargestStencil = 1.5; // DotStencils
-const float kSizesPerPixel = 16.0;
-const float kSizes = 24.0;
+const float kSizesPerPixel = 32.0;
+const float kFirstSize = 3.0;
+const float kSizes = 46.0;
 
 void main() {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0); // nowhere
@@ -26,11 +27,11 @@ void main() {
     ivec2 units = ivec2(floor(place * 256.0 + 0.5));
     vec2 middle;
     if (radius <= kLargestStencil) {
-        ivec2 phases = ((units + 8) >> 4) - 24;
-        ivec2 pixel = phases >> 4;
-        float size = clamp(floor(radius * kSizesPerPixel + 0.5), 1.0, kSizes);
+        ivec2 phases = ((units + 4) >> 3) - 48;
+        ivec2 pixel = phases >> 5;
+        float size = clamp(floor(radius * kSizesPerPixel + 0.5), kFirstSize, kFirstSize + kSizes - 1.0);
         float ratio = radius * kSizesPerPixel / size;
-        corner = ivec3(pixel - tileOrigin, (int(size - 1.0) * 16 + (phases.y & 15)) * 16 + (phases.x & 15));
+        corner = ivec3(pixel - tileOrigin, (int(size - kFirstSize) * 32 + (phases.y & 31)) * 32 + (phases.x & 31));
         disc = vec4(0.0, 0.0, radius, ratio * ratio * placed.opacity);
         middle = vec2(corner.xy + 2);
         gl_PointSize = 4.0;
