@@ -14,7 +14,7 @@ namespace limner {
 struct DotSplat {
     static constexpr int kLog2Units = 8;
     static constexpr int kUnits = 1 << kLog2Units; ///< of `x` and `y` in a pixel
-    std::int32_t x = 0;                ///< from the picture's corner
+    std::int32_t x = 0;                            ///< from the picture's corner
     std::int32_t y = 0;
     float radius = 0;
     float opacity = 0;
