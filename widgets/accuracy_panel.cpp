@@ -66,7 +66,10 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
       study_(button(tr("Study"), tr("Measure what every setting costs in error and in time"))), seconds_(new QSpinBox),
       report_(button(tr("Save report…"), tr("Write the study as a page with charts, as a table or as JSON"))),
       findings_(paragraph(tr("What the study found"))), chart_(new AccuracyChart), choices_(new QTableWidget(0, 4)),
-      map_(new QCheckBox(tr("Show error over the picture"))) {
+      map_(new QCheckBox(tr("Show error over the picture"))),
+      measure_(button(tr("Measure savings"), tr("Draw the picture with and without what it does not need, by turns, "
+                                                "for some seconds"))),
+      savings_(paragraph(tr("What leaving out saves"))) {
     foot_ = buildFoot();
     auto* content = new QWidget;
     auto* column = new QVBoxLayout(content);
@@ -76,6 +79,8 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
     buildMap(column);
     column->addSpacing(6);
     buildStudy(column);
+    column->addSpacing(6);
+    buildSavings(column);
     column->addStretch(1);
     auto* whole = new QVBoxLayout(this);
     whole->setContentsMargins(0, 0, 0, 0);
@@ -91,6 +96,7 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
     connect(report_, &QPushButton::clicked, this, &AccuracyPanel::reportWanted);
     connect(stop_, &QPushButton::clicked, this, &AccuracyPanel::stopWanted);
     connect(map_, &QCheckBox::clicked, this, &AccuracyPanel::mapWanted);
+    connect(measure_, &QPushButton::clicked, this, &AccuracyPanel::savingsWanted);
     showTolerance({});
     forget();
     setFigure(nullptr);
@@ -195,6 +201,12 @@ void AccuracyPanel::buildMap(QVBoxLayout* column) {
     column->addWidget(map_);
 }
 
+void AccuracyPanel::buildSavings(QVBoxLayout* column) {
+    column->addWidget(heading(tr("What the picture does without")));
+    column->addWidget(measure_);
+    column->addWidget(savings_);
+}
+
 QWidget* AccuracyPanel::buildFoot() {
     auto* foot = new QWidget;
     doing_ = new QLabel;
@@ -290,7 +302,8 @@ void AccuracyPanel::setWork(Work work) {
     work_ = work;
     switch (work) {
     case Work::search: doing_->setText(tr("Finding settings")); break;
-    case Work::study: doing_->setText(tr("Measuring")); break;
+    case Work::study:
+    case Work::savings: doing_->setText(tr("Measuring")); break;
     case Work::map: doing_->setText(tr("Drawing the error")); break;
     case Work::none: break;
     }
@@ -306,7 +319,7 @@ void AccuracyPanel::enable() {
     const bool idle = work_ == Work::none;
     for (QWidget* widget : std::initializer_list<QWidget*>{slider_, number_, metric_, find_})
         widget->setEnabled(drawable_ && (idle || work_ == Work::search));
-    for (QWidget* widget : std::initializer_list<QWidget*>{study_, seconds_})
+    for (QWidget* widget : std::initializer_list<QWidget*>{study_, seconds_, measure_})
         widget->setEnabled(drawable_ && idle);
     map_->setEnabled(drawable_ && (idle || work_ == Work::map));
     report_->setEnabled(shown_ != nullptr);
@@ -318,12 +331,13 @@ void AccuracyPanel::say(const QString& words) {
     setAnswerCurrent(true);
 }
 
-void AccuracyPanel::setAnswerCurrent(bool current) {
-    answer_->setEnabled(current);
-    answer_->setText(current || answerWords_.isEmpty() ? answerWords_
-                                                       : answerWords_ + "\n" + tr("The figure has changed since."));
-    answer_->setVisible(!answerWords_.isEmpty());
+void AccuracyPanel::showWords(QLabel* label, const QString& words, const char* between, bool current) {
+    label->setEnabled(current);
+    label->setText(current || words.isEmpty() ? words : words + between + tr("The figure has changed since."));
+    label->setVisible(!words.isEmpty());
 }
+
+void AccuracyPanel::setAnswerCurrent(bool current) { showWords(answer_, answerWords_, "\n", current); }
 
 void AccuracyPanel::showAnswer(const ToleranceAnswer& answer, bool applied) {
     const ErrorMetric metric = answer.asked.metric;
@@ -411,16 +425,20 @@ void AccuracyPanel::showChoices() {
     choices_->setFixedHeight(height);
 }
 
-void AccuracyPanel::setStudyCurrent(bool current) {
-    findings_->setEnabled(current);
-    findings_->setText(current || findingWords_.isEmpty() ? findingWords_
-                                                          : findingWords_ + " " + tr("The figure has changed since."));
-    findings_->setVisible(!findingWords_.isEmpty());
+void AccuracyPanel::setStudyCurrent(bool current) { showWords(findings_, findingWords_, " ", current); }
+
+void AccuracyPanel::showSavings(const accuracy::Savings& savings) {
+    savingWords_ = savingsWords(savings);
+    setSavingsCurrent(true);
 }
+
+void AccuracyPanel::setSavingsCurrent(bool current) { showWords(savings_, savingWords_, "\n", current); }
 
 void AccuracyPanel::forget() {
     say({});
     showStudy(nullptr);
+    savingWords_.clear();
+    setSavingsCurrent(true);
 }
 
 void AccuracyPanel::setMapShown(bool shown) { map_->setChecked(shown); }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/figure/figure.h"
+#include "renderer/accuracy/savings.h"
 #include "renderer/accuracy/study.h"
 
 #include <QTimer>
@@ -33,8 +34,8 @@ struct ToleranceAnswer {
 };
 
 /// How wrong the picture is and what better would cost (spec accuracy.md 1.8, 1.9): a tolerance whose cheapest settings
-/// are found, a study of error against run time, and the error over the picture. Asks for the work, which is done
-/// elsewhere, and shows what came of it.
+/// are found, a study of error against run time, the error over the picture, and what the picture is drawn without and
+/// what that saves (1.10). Asks for the work, which is done elsewhere, and shows what came of it.
 class AccuracyPanel : public QWidget {
     Q_OBJECT
 
@@ -42,7 +43,7 @@ class AccuracyPanel : public QWidget {
     explicit AccuracyPanel(QWidget* parent = nullptr);
 
     /// What is being done for the panel; nothing else can be asked for meanwhile but another tolerance.
-    enum class Work { none, search, study, map };
+    enum class Work { none, search, study, map, savings };
 
     void setFigure(const std::shared_ptr<const Figure>& figure);
     void setWork(Work work);
@@ -51,12 +52,14 @@ class AccuracyPanel : public QWidget {
     /// `applied`: the figure has the settings now.
     void showAnswer(const ToleranceAnswer& answer, bool applied);
     void showStudy(std::shared_ptr<const accuracy::Study> study);
-    /// What is said of the settings, or of the study, is not of the figure that is open now.
+    void showSavings(const accuracy::Savings& savings);
+    /// What is said of the settings, of the study, or of what is left out, is not of the figure that is open now.
     void setAnswerCurrent(bool current);
     void setStudyCurrent(bool current);
+    void setSavingsCurrent(bool current);
     /// In words, where an answer would stand.
     void say(const QString& words);
-    void forget(); ///< answer and study: another document is open
+    void forget(); ///< answer, study and savings: another document is open
     void setMapShown(bool shown);
 
     [[nodiscard]] accuracy::Tolerance asked() const;
@@ -73,6 +76,8 @@ class AccuracyPanel : public QWidget {
     [[nodiscard]] QCheckBox* map() const { return map_; }
     [[nodiscard]] QLabel* answer() const { return answer_; }
     [[nodiscard]] QLabel* findings() const { return findings_; }
+    [[nodiscard]] QPushButton* measure() const { return measure_; }
+    [[nodiscard]] QLabel* savings() const { return savings_; }
     [[nodiscard]] QTableWidget* choices() const { return choices_; }
     [[nodiscard]] AccuracyChart* chart() const { return chart_; }
 
@@ -82,6 +87,7 @@ class AccuracyPanel : public QWidget {
     void stopWanted();
     void reportWanted();
     void mapWanted(bool on);
+    void savingsWanted();
 
   private:
     void buildSlider(QGridLayout* grid);
@@ -89,6 +95,7 @@ class AccuracyPanel : public QWidget {
     void buildTolerance(QVBoxLayout* column);
     void buildStudy(QVBoxLayout* column);
     void buildMap(QVBoxLayout* column);
+    void buildSavings(QVBoxLayout* column);
     [[nodiscard]] QWidget* buildFoot();
     void connectSlider();
     void sliderMoved();
@@ -97,6 +104,7 @@ class AccuracyPanel : public QWidget {
     void takeNumber(const accuracy::Tolerance& tolerance);
     void wantSettings();
     void enable();
+    static void showWords(QLabel* label, const QString& words, const char* between, bool current);
     void showChoices();
 
     QSlider* slider_;
@@ -111,6 +119,8 @@ class AccuracyPanel : public QWidget {
     AccuracyChart* chart_;
     QTableWidget* choices_;
     QCheckBox* map_;
+    QPushButton* measure_;
+    QLabel* savings_;
     QWidget* foot_; ///< what is being done, how far it is, and its end
     QLabel* doing_;
     QProgressBar* progress_;
@@ -124,6 +134,7 @@ class AccuracyPanel : public QWidget {
     std::shared_ptr<const accuracy::Study> shown_;
     QString answerWords_;
     QString findingWords_;
+    QString savingWords_;
 };
 
 } // namespace limner

@@ -1,5 +1,7 @@
 #include "widgets/accuracy_words.h"
 
+#include "widgets/core_words.h"
+
 #include <QCoreApplication>
 #include <QLocale>
 #include <QStringList>
@@ -127,6 +129,27 @@ QString limitWords(const accuracy::Limiting& limits, ErrorMetric metric) {
 
 QString methodWords(const std::string& method) {
     return method == "pre-integration" ? Words::tr("Pre-integration") : Words::tr("Point samples");
+}
+
+QString savingsWords(const accuracy::Savings& savings) {
+    if (savings.rules.empty())
+        return Words::tr("Nothing is left out of this picture: it needs all that there is.");
+    const auto saved = [](double ms, std::int64_t bytes) {
+        QStringList parts{secondsWords(std::max(ms, 0.0) / 1000)};
+        if (bytes > (1 << 20) / 20)
+            parts << QLocale().formattedDataSize(bytes, 1);
+        return parts.join(", ");
+    };
+    QStringList lines;
+    for (const accuracy::Saving& saving : savings.rules)
+        lines << Words::tr("%1: %2").arg(coreWord(ruleOf(saving.leftOut.rule).name), saved(saving.ms, saving.bytes));
+    lines << Words::tr("All together: %1. The picture, %2 × %3 pixels, takes %4.")
+                 .arg(saved(savings.keptMs - savings.ms,
+                            static_cast<std::int64_t>(savings.keptBytes) - static_cast<std::int64_t>(savings.bytes)))
+                 .arg(savings.pixels.x)
+                 .arg(savings.pixels.y)
+                 .arg(secondsWords(savings.ms / 1000));
+    return lines.join("\n");
 }
 
 QString choiceWords(const std::string& name) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/accuracy/savings.h"
 #include "renderer/accuracy/study.h"
 
 #include <QString>
@@ -26,6 +27,8 @@ QString settingsWords(const Quality& quality);
 QString limitWords(const accuracy::Limiting& limits, ErrorMetric metric);
 /// A way of sampling of a study's series: "Pre-integration".
 QString methodWords(const std::string& method);
+/// What a picture is drawn without, a line each, and what all of it saves.
+QString savingsWords(const accuracy::Savings& savings);
 /// One choice of a study, by its name: "Screen", "As asked".
 QString choiceWords(const std::string& name);
 

@@ -3,6 +3,7 @@
 #include "app/studio/action_table.h"
 #include "app/studio/studio_document.h"
 #include "core/style/png_writing.h"
+#include "renderer/accuracy/savings.h"
 #include "widgets/accuracy_panel.h"
 #include "widgets/accuracy_words.h"
 #include "widgets/error_overlay.h"
@@ -117,6 +118,7 @@ WindowAccuracy::WindowAccuracy(const Workplace& place)
 void WindowAccuracy::connectPanel() {
     connect(panel_, &AccuracyPanel::settingsWanted, this, &WindowAccuracy::findSettings);
     connect(panel_, &AccuracyPanel::studyWanted, this, &WindowAccuracy::runStudy);
+    connect(panel_, &AccuracyPanel::savingsWanted, this, &WindowAccuracy::measureSavings);
     connect(panel_, &AccuracyPanel::stopWanted, this, &WindowAccuracy::stop);
     connect(panel_, &AccuracyPanel::reportWanted, this, &WindowAccuracy::chooseReport);
     connect(panel_, &AccuracyPanel::mapWanted, this, &WindowAccuracy::showMap);
@@ -219,6 +221,22 @@ void WindowAccuracy::runStudy() {
                });
 }
 
+void WindowAccuracy::measureSavings() {
+    const auto figure = place_.document->figure();
+    if (!figure || panel_->work() != AccuracyPanel::Work::none)
+        return;
+    working_ = figure;
+    auto savings = std::make_shared<accuracy::Savings>();
+    panel_->setWork(AccuracyPanel::Work::savings);
+    work_.want([savings, figure, request = request(), backend = backend_](
+                   Task& task) { *savings = accuracy::measureSavings(*figure, *backend, request, task); },
+               [this, savings, figure] {
+                   idle();
+                   saved_ = figure;
+                   panel_->showSavings(*savings);
+               });
+}
+
 void WindowAccuracy::showMap(bool on) {
     const auto figure = place_.document->figure();
     takeMapAway();
@@ -281,6 +299,7 @@ void WindowAccuracy::forgetDocument() {
     applied_.reset();
     studied_.reset();
     study_.reset();
+    saved_.reset();
     panel_->forget();
 }
 
@@ -308,6 +327,8 @@ void WindowAccuracy::showFigure() {
         panel_->setAnswerCurrent(sameDrawing(*figure, *found_, Qualities::matter));
     if (studied_)
         panel_->setStudyCurrent(sameDrawing(*figure, *studied_, Qualities::matter));
+    if (saved_)
+        panel_->setSavingsCurrent(sameDrawing(*figure, *saved_, Qualities::matter));
 }
 
 void WindowAccuracy::chooseReport() {

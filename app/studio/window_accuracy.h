@@ -26,6 +26,7 @@ class WindowAccuracy : public QObject {
     /// Finds the cheapest settings that keep a tolerance; where they do, they become the figure's in one step.
     void findSettings(const accuracy::Tolerance& tolerance);
     void runStudy();
+    void measureSavings();
     void stop();
     /// False takes the map away.
     void showMap(bool on);
@@ -68,6 +69,7 @@ class WindowAccuracy : public QObject {
     Quality model_;                         ///< that search's: the interpolation, gradients and rays that are no error
     std::shared_ptr<const Figure> studied_;
     std::shared_ptr<const accuracy::Study> study_;
+    std::shared_ptr<const Figure> saved_;  ///< what the panel's savings are of
     std::shared_ptr<const Figure> mapped_; ///< what the map is of; null: there is none
 };
 

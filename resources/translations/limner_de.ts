@@ -151,6 +151,18 @@
         <source>What limits the error is %1: at its best (%2), %3 would be left.</source>
         <translation>Den Fehler begrenzt: %1. Auf bester Stufe (%2) bliebe %3.</translation>
     </message>
+    <message>
+        <source>Nothing is left out of this picture: it needs all that there is.</source>
+        <translation>An diesem Bild ist nichts weggelassen: Es braucht alles, was da ist.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>All together: %1. The picture, %2 × %3 pixels, takes %4.</source>
+        <translation>Alles zusammen: %1. Das Bild mit %2 × %3 Pixeln dauert %4.</translation>
+    </message>
 </context>
 <context>
     <name>Actions</name>
@@ -2847,6 +2859,54 @@
         <source>What the tolerance bounds: the colour difference CIEDE2000 that 95 % of the pixels stay below, the largest difference of a pixel&apos;s channel (0 to 1), or the root mean square of these.</source>
         <translation>Was die Toleranz begrenzt: den Farbabstand CIEDE2000, unter dem 95 % der Pixel bleiben, die größte Abweichung eines Kanals eines Pixels (0 bis 1) oder deren quadratisches Mittel.</translation>
     </message>
+    <message>
+        <source>curvature of contours</source>
+        <translation>Krümmung der Konturen</translation>
+    </message>
+    <message>
+        <source>factors of dots</source>
+        <translation>Faktoren der Punkte</translation>
+    </message>
+    <message>
+        <source>gradients and normals</source>
+        <translation>Gradienten und Normalen</translation>
+    </message>
+    <message>
+        <source>importance of what cannot claim any</source>
+        <translation>Wichtigkeit dessen, was keine haben kann</translation>
+    </message>
+    <message>
+        <source>importance where no lens reaches</source>
+        <translation>Wichtigkeit, wo keine Linse hinreicht</translation>
+    </message>
+    <message>
+        <source>importance-aware composition</source>
+        <translation>Zusammensetzung nach Wichtigkeit</translation>
+    </message>
+    <message>
+        <source>layers that show nothing</source>
+        <translation>Ebenen, die nichts zeigen</translation>
+    </message>
+    <message>
+        <source>look-ups of colours</source>
+        <translation>Nachschlagen von Farben</translation>
+    </message>
+    <message>
+        <source>mip levels of styles</source>
+        <translation>Verkleinerungen der Stile</translation>
+    </message>
+    <message>
+        <source>rays behind what hides all</source>
+        <translation>Strahlen hinter dem, was alles verdeckt</translation>
+    </message>
+    <message>
+        <source>samples of empty blocks</source>
+        <translation>Proben in leeren Blöcken</translation>
+    </message>
+    <message>
+        <source>wider voxels</source>
+        <translation>breitere Voxel</translation>
+    </message>
 </context>
 <context>
     <name>ExtractionWords</name>
@@ -3243,6 +3303,22 @@
     <message>
         <source>The finest picture that can be drawn is itself not sure enough</source>
         <translation>Das feinste Bild, das sich zeichnen lässt, ist selbst nicht sicher genug</translation>
+    </message>
+    <message>
+        <source>Measure savings</source>
+        <translation>Ersparnis messen</translation>
+    </message>
+    <message>
+        <source>Draw the picture with and without what it does not need, by turns, for some seconds</source>
+        <translation>Das Bild einige Sekunden lang abwechselnd mit und ohne das zeichnen, was es nicht braucht</translation>
+    </message>
+    <message>
+        <source>What leaving out saves</source>
+        <translation>Was das Weglassen spart</translation>
+    </message>
+    <message>
+        <source>What the picture does without</source>
+        <translation>Worauf das Bild verzichtet</translation>
     </message>
 </context>
 <context>

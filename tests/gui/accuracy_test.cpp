@@ -119,6 +119,18 @@ TEST(Accuracy, AStudyRunsAndItsReportIsSaved) {
     EXPECT_FALSE(studio.panel().findings()->isEnabled()) << "the study is of another view";
 }
 
+TEST(Accuracy, WhatIsLeftOutAndWhatItSavesIsMeasured) {
+    Open studio;
+    studio.panel().measure()->click();
+    EXPECT_EQ(studio.panel().work(), AccuracyPanel::Work::savings) << "the window does not wait for it";
+    ASSERT_TRUE(studio.waitIdle());
+    EXPECT_TRUE(studio.panel().savings()->text().contains("samples of empty blocks: "))
+        << studio.panel().savings()->text().toStdString();
+    EXPECT_FALSE(studio.window->document().dirty()) << "measuring changes nothing";
+    QTest::keyClick(&studio.window->viewport(), Qt::Key_Left);
+    EXPECT_FALSE(studio.panel().savings()->isEnabled()) << "they are of another view";
+}
+
 TEST(Accuracy, TheMapOfTheErrorGoesWhenThePictureChanges) {
     Open studio;
     QAction* action = studio.window->actions().at("view.error-map");

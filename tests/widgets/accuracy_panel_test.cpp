@@ -184,6 +184,40 @@ TEST(AccuracyPanel, WhileItWorksOnlyWhatFitsCanBeAskedFor) {
     EXPECT_FALSE(shown.panel.study()->isEnabled());
 }
 
+TEST(AccuracyPanel, WhatIsLeftOutStandsInLinesUntilTheFigureChanges) {
+    Shown shown;
+    int wanted = 0;
+    QObject::connect(&shown.panel, &AccuracyPanel::savingsWanted, [&] { ++wanted; });
+    EXPECT_FALSE(shown.panel.savings()->isVisibleTo(&shown.panel));
+    shown.panel.measure()->click();
+    EXPECT_EQ(wanted, 1);
+    shown.panel.setWork(AccuracyPanel::Work::savings);
+    EXPECT_FALSE(shown.panel.measure()->isEnabled());
+    shown.panel.setWork(AccuracyPanel::Work::none);
+    accuracy::Savings savings;
+    savings.pixels = {256, 200};
+    savings.ms = 10;
+    savings.bytes = 20 << 20;
+    savings.rules = {{{LeaveOut::emptySpace, "78 % of the blocks"}, 42, 32, 0},
+                     {{LeaveOut::wideVoxels, "half of sixteen bits"}, 9, -1, 11 << 20}};
+    savings.keptMs = 43;
+    savings.keptBytes = savings.bytes + (11 << 20);
+    shown.panel.showSavings(savings);
+    const QStringList lines = shown.panel.savings()->text().split("\n");
+    ASSERT_EQ(lines.size(), 3);
+    EXPECT_EQ(lines[0], "samples of empty blocks: 32 ms");
+    EXPECT_TRUE(lines[1].startsWith("wider voxels: 0 ms, 11")) << lines[1].toStdString();
+    EXPECT_TRUE(lines[2].contains("33 ms") && lines[2].contains("256 × 200") && lines[2].contains("10 ms"))
+        << lines[2].toStdString();
+    shown.panel.setSavingsCurrent(false);
+    EXPECT_FALSE(shown.panel.savings()->isEnabled());
+    EXPECT_TRUE(shown.panel.savings()->text().contains("changed since"));
+    shown.panel.showSavings({});
+    EXPECT_TRUE(shown.panel.savings()->text().startsWith("Nothing is left out"));
+    shown.panel.forget();
+    EXPECT_FALSE(shown.panel.savings()->isVisibleTo(&shown.panel));
+}
+
 TEST(AccuracyPanel, AStudyHasItsTableSentenceAndReport) {
     Shown shown;
     EXPECT_FALSE(shown.panel.report()->isEnabled());

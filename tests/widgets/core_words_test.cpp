@@ -7,6 +7,7 @@
 #include "core/figure/presets.h"
 #include "core/figure/stipple_presets.h"
 #include "core/figure/themes.h"
+#include "renderer/plan/leave_out.h"
 
 #include <gtest/gtest.h>
 
@@ -38,6 +39,8 @@ std::set<std::string> allWords() {
         words.insert({preset.name, preset.help});
     for (const auto& preset : positionPresets())
         words.insert({preset.name, preset.help});
+    for (const LeaveOutRule& rule : leaveOutRules())
+        words.insert(rule.name);
     words.erase("");
     return words;
 }
