@@ -1,3 +1,4 @@
+#include "support/make_volume.h"
 #include "support/rendering.h"
 #include "support/transfer_scenes.h"
 
@@ -67,6 +68,30 @@ TEST_P(TransferLaws, AnOpaqueFunctionLeavesTheStylesOwnOpacity) {
     layer.transparency = Transparency::illustrative;
     layer.transfer.opacity = {{0, 0}};
     EXPECT_EQ(draw(figure).pixel(20, 20)[3], 0);
+}
+
+TEST_P(TransferLaws, AValueOnAJumpHasTheColourBehindIt) {
+    constexpr int kJump = 120;
+    Figure figure = figureOf(Shading::style);
+    figure.volume->data = testing::makeVolume<std::uint8_t>(
+        figure.volume->data->grid(), VoxelType::uint8, [](glm::ivec3 v) { return v == glm::ivec3(0) ? 0 : kJump; });
+    const Rgba behind{0.1F, 0.2F, 0.8F, 1};
+    for (const auto& [id, colour] : {std::pair("before", Rgba{0.9F, 0.1F, 0.1F, 1}), {"behind", behind}}) {
+        StyleEntry entry;
+        entry.id = id;
+        entry.sphere = std::make_shared<const LitSphere>(8, std::vector<Rgba>(64, colour));
+        figure.styles.push_back(entry);
+    }
+    Layer& layer = figure.layers[0];
+    layer.transfer.opacity = {{0, 1}, {kJump, 1}};
+    for (const int more : {0, 14}) { // of the nodes; more than a kernel keeps at hand are in a table
+        layer.transfer.nodes = {{0, "before", {}}, {kJump, "before", {}}, {kJump, "behind", {}}};
+        for (int i = 1; i <= more; ++i)
+            layer.transfer.nodes.push_back({static_cast<double>(kJump + i), "behind", {}});
+        const Picture picture = draw(figure);
+        EXPECT_NEAR(picture.pixel(20, 20)[0], behind.r, 1e-3) << more;
+        EXPECT_NEAR(picture.pixel(20, 20)[2], behind.b, 1e-3) << more;
+    }
 }
 
 TEST_P(TransferLaws, LessOpacityClearsFlatRegionsBeforeContours) {

@@ -320,6 +320,10 @@ TEST(BakePlane, EntriesAreExact) {
     EXPECT_EQ(table.rowIndex[0], 0);
     EXPECT_EQ(table.rowIndex[255], 1);
     EXPECT_FLOAT_EQ(table.rowIndex[85], static_cast<float>((85 / 255.0 - 0.2) / 0.2));
+    EXPECT_EQ(table.nodeEntries, (std::vector<double>{124, 524, 924}));
+    ASSERT_EQ(table.nodeRows.size(), 2U);
+    EXPECT_DOUBLE_EQ(table.nodeRows[0], 51);
+    EXPECT_DOUBLE_EQ(table.nodeRows[1], 102);
 }
 
 TEST(BakePlane, SizesFollowTheAxes) {

@@ -101,6 +101,7 @@ TEST(BakeTransfer, EntriesAreExactAndCoverTheUsedRange) {
     EXPECT_FLOAT_EQ(static_cast<float>(read(table, table.opacity, 130)), 0.4F);
     EXPECT_LT(read(table, table.index, 49), 1);
     EXPECT_EQ(read(table, table.index, 50), 2);
+    EXPECT_EQ(table.nodeEntries, (std::vector<double>{824, 1074, 1074, 2824}));
 }
 
 TEST(BakeTransfer, SizesFollowTheData) {
