@@ -1,6 +1,6 @@
 #include "renderer/marks/dot_pattern.h"
 
-#include <tbb/parallel_for.h>
+#include "renderer/marks/isolated.h"
 
 #include <algorithm>
 #include <iterator>
@@ -45,7 +45,7 @@ class Elimination {
         closest_ = 2 * radius_ * (1 - kept * std::sqrt(kept)) * 0.65;
         sortIntoCells(alive);
         weights_.assign(points_.size(), 0);
-        tbb::parallel_for(std::size_t{0}, alive.size(), [&](std::size_t i) {
+        isolatedFor(std::size_t{0}, alive.size(), [&](std::size_t i) {
             double sum = 0;
             forNeighbours(alive[i], [&](std::uint32_t, double weight) { sum += weight; });
             weights_[alive[i]] = sum;
@@ -236,7 +236,7 @@ void DotPattern::measureCoverage() {
     constexpr double step = static_cast<double>(kSize) / perEdge;
     constexpr double reach = 4; // further than the largest void of that part
     std::vector<std::vector<std::uint32_t>> counts(perEdge, std::vector<std::uint32_t>(entries + 1, 0));
-    tbb::parallel_for(0, perEdge, [&](int row) {
+    isolatedFor(0, perEdge, [&](int row) {
         for (int column = 0; column < perEdge; ++column) {
             const glm::dvec2 here((column + 0.5) * step, (row + 0.5) * step);
             double nearest = reach * reach;

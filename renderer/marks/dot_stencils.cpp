@@ -1,6 +1,6 @@
 #include "renderer/marks/dot_stencils.h"
 
-#include <tbb/parallel_for.h>
+#include "renderer/marks/isolated.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +46,7 @@ const DotStencils& DotStencils::instance() {
 DotStencils::DotStencils() {
     constexpr std::size_t kOfSize = std::size_t{kPhases} * kPhases;
     stencils_.resize(kSizes * kOfSize);
-    tbb::parallel_for(std::size_t{0}, std::size_t{kSizes} * kPhases, [&](std::size_t row) {
+    isolatedFor(std::size_t{0}, std::size_t{kSizes} * kPhases, [&](std::size_t row) {
         const double radius = static_cast<double>(row / kPhases + kFirstSize) / kSizesPerPixel;
         const double y = kLargestRadius + static_cast<double>(row % kPhases) / kPhases;
         for (std::size_t x = 0; x < kPhases; ++x)
