@@ -1,9 +1,11 @@
 #include "renderer/marks/dot_pattern.h"
 
-#include "renderer/marks/isolated.h"
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <numbers>
 #include <numeric>
 
@@ -45,7 +47,7 @@ class Elimination {
         closest_ = 2 * radius_ * (1 - kept * std::sqrt(kept)) * 0.65;
         sortIntoCells(alive);
         weights_.assign(points_.size(), 0);
-        isolatedFor(std::size_t{0}, alive.size(), [&](std::size_t i) {
+        tbb::parallel_for(std::size_t{0}, alive.size(), [&](std::size_t i) {
             double sum = 0;
             forNeighbours(alive[i], [&](std::uint32_t, double weight) { sum += weight; });
             weights_[alive[i]] = sum;
@@ -236,7 +238,7 @@ void DotPattern::measureCoverage() {
     constexpr double step = static_cast<double>(kSize) / perEdge;
     constexpr double reach = 4; // further than the largest void of that part
     std::vector<std::vector<std::uint32_t>> counts(perEdge, std::vector<std::uint32_t>(entries + 1, 0));
-    isolatedFor(0, perEdge, [&](int row) {
+    tbb::parallel_for(0, perEdge, [&](int row) {
         for (int column = 0; column < perEdge; ++column) {
             const glm::dvec2 here((column + 0.5) * step, (row + 0.5) * step);
             double nearest = reach * reach;
@@ -276,8 +278,9 @@ double DotPattern::densityFor(double coverage) const {
 }
 
 const DotPattern& dotPattern() {
-    static const DotPattern pattern;
-    return pattern;
+    // Isolated: while it waits, the thread that makes it must not take up a task that asks for it.
+    static const auto pattern = tbb::this_task_arena::isolate([] { return std::make_unique<const DotPattern>(); });
+    return *pattern;
 }
 
 } // namespace limner

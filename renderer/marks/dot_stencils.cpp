@@ -1,9 +1,11 @@
 #include "renderer/marks/dot_stencils.h"
 
-#include "renderer/marks/isolated.h"
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 namespace limner {
@@ -39,14 +41,16 @@ DotStencils::Stencil coverageOf(double radius, double x, double y) {
 } // namespace
 
 const DotStencils& DotStencils::instance() {
-    static const DotStencils stencils;
-    return stencils;
+    // Isolated: while it waits, the thread that makes them must not take up a task that asks for them.
+    static const std::unique_ptr<const DotStencils> stencils =
+        tbb::this_task_arena::isolate([] { return std::unique_ptr<const DotStencils>(new DotStencils); });
+    return *stencils;
 }
 
 DotStencils::DotStencils() {
     constexpr std::size_t kOfSize = std::size_t{kPhases} * kPhases;
     stencils_.resize(kSizes * kOfSize);
-    isolatedFor(std::size_t{0}, std::size_t{kSizes} * kPhases, [&](std::size_t row) {
+    tbb::parallel_for(std::size_t{0}, std::size_t{kSizes} * kPhases, [&](std::size_t row) {
         const double radius = static_cast<double>(row / kPhases + kFirstSize) / kSizesPerPixel;
         const double y = kLargestRadius + static_cast<double>(row % kPhases) / kPhases;
         for (std::size_t x = 0; x < kPhases; ++x)
