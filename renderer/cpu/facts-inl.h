@@ -56,8 +56,9 @@ HWY_INLINE Normal normalAt(const Field& field, const typename Field::Place& plac
 
 /// How far a normal is trusted: 0 at the gradient floor, 1 from twice of it on (numerics 2a).
 HWY_INLINE Floats trust(const KernelScene& scene, Floats magnitude) {
-    const Floats above = hn::Sub(magnitude, splat(scene.gradientFloor));
-    const Floats t = hn::Min(hn::Max(hn::Mul(above, splat(scene.perGradientFloor)), splat(0)), splat(1));
+    const Floats floor = splat(scene.gradientFloor);
+    const Floats t =
+        hn::Min(hn::Max(hn::Div(hn::Sub(magnitude, floor), hn::Max(floor, splat(1e-30F))), splat(0)), splat(1));
     return hn::Mul(hn::Mul(t, t), hn::NegMulAdd(splat(2), t, splat(3)));
 }
 

@@ -22,10 +22,13 @@ bool leavesOutLookups(const RenderPlan& plan, const PlanLayer& layer) {
     return !plan.kept.has(LeaveOut::colourLookups) && hasOneColour(layer);
 }
 
-/// `entries`: where the nodes lie.
+/// `entries`: where the nodes lie. Farther away than single precision counts they are left to the table.
 KernelNodes kernelNodes(const std::vector<double>& entries) {
+    constexpr double kFarthest = 1e30;
     KernelNodes nodes;
-    if (entries.empty() || entries.size() > kMostLanes || !std::is_sorted(entries.begin(), entries.end())) {
+    const auto far = [](double entry) { return !(std::abs(entry) <= kFarthest); };
+    if (entries.empty() || entries.size() > kMostLanes || !std::is_sorted(entries.begin(), entries.end()) ||
+        std::any_of(entries.begin(), entries.end(), far)) {
         return nodes;
     }
     nodes.count = static_cast<int>(entries.size());
@@ -33,8 +36,8 @@ KernelNodes kernelNodes(const std::vector<double>& entries) {
         const double width = i + 1 < entries.size() ? entries[i + 1] - entries[i] : 0;
         const bool jump = i > 0 && entries[i] == entries[i - 1];
         // A value that lies on a jump is behind it, however its entry was rounded.
-        nodes.from[i] = static_cast<float>(std::clamp(jump ? entries[i] - 1.0 / 512 : entries[i], -1e30, 1e30));
-        nodes.perEntry[i] = width > 0 ? static_cast<float>(std::min(1 / width, 1e30)) : 0.0F;
+        nodes.from[i] = static_cast<float>(jump ? entries[i] - 1.0 / 512 : entries[i]);
+        nodes.perEntry[i] = width > 0 ? static_cast<float>(std::min(1 / width, kFarthest)) : 0.0F;
     }
     return nodes;
 }
@@ -136,7 +139,6 @@ void BuiltScene::setGradients(const RenderPlan& plan) {
     }
     scene_.gradientRounding = static_cast<float>(plan.gradientRounding);
     scene_.gradientFloor = static_cast<float>(plan.gradientFloor / stored);
-    scene_.perGradientFloor = 1 / std::max(scene_.gradientFloor, 1e-30F);
     scene_.perGradientMax = static_cast<float>(stored / plan.gradientMax);
     scene_.readsNormal = readsNormal(plan);
     scene_.readsGradientScale = readsGradientScale(plan);

@@ -97,20 +97,20 @@ TEST(RenderThread, ComesFromCoarseToFine) {
 }
 
 TEST(RenderThread, DrawsAtOnceWhatIsFast) {
-    // The first guess, a second for so many rays, is twice the budget; the backend takes a millisecond. A machine that
-    // stands still for less than the budget changes nothing.
+    // The first guess, 160 ms, is twice what the longest budget leaves; the backend takes next to nothing. A machine
+    // that stands still for a tenth of a second changes nothing.
     Inbox inbox;
     RenderThread thread(simplePlan, std::make_unique<SlowBackend>(1), inbox.callbacks(), {.draftBudgetMs = 500});
-    thread.request(view(1, {1000, 1000}));
+    thread.request(view(1, {400, 400}));
     thread.waitIdle();
     const std::size_t before = inbox.all().size();
     EXPECT_FALSE(inbox.all().front().facts.final) << "the first is a draft: the speed is not known yet";
-    thread.request(view(2, {1000, 1000}));
+    thread.request(view(2, {400, 400}));
     thread.waitIdle();
     const auto pictures = inbox.all();
     ASSERT_EQ(pictures.size(), before + 1);
     EXPECT_TRUE(pictures.back().facts.final);
-    EXPECT_EQ(pictures.back().picture->size(), glm::ivec2(1000));
+    EXPECT_EQ(pictures.back().picture->size(), glm::ivec2(400));
 }
 
 TEST(RenderThread, TheNewestRequestWins) {
@@ -155,7 +155,7 @@ TEST(RenderThread, AFastHandSeesDraftsAndNothingElse) {
 TEST(RenderThread, ARunningStillStopsForAnEdit) {
     Inbox inbox;
     RenderThread thread(simplePlan, std::make_unique<SlowBackend>(20000), inbox.callbacks(), {});
-    thread.request(view(1, {1000, 1000})); // the still alone would take 20 s
+    thread.request(view(1, {400, 400})); // the still alone would take 20 s
     while (inbox.all().empty())
         std::this_thread::sleep_for(1ms);
     std::this_thread::sleep_for(20ms);
