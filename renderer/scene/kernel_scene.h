@@ -253,7 +253,7 @@ struct KernelScene {
     float eyeFromBend[3][3]{};                ///< the same rows for their gradient, from its stored units per voxel
     float gradientRounding = 0;               ///< components of tap gradients up to this are 0; in stored units
     float gradientFloor = 0;
-    float perGradientMax = 1;   ///< 1 / the gradient that counts as 1
+    float perGradientMax = 1; ///< 1 / the gradient that counts as 1
 
     bool readsNormal = false;        ///< some layer does
     bool readsGradientScale = false; ///< beside the normal's direction
