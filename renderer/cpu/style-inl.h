@@ -213,10 +213,14 @@ HWY_INLINE void addLevel(const KernelAtlas& atlas, const SphereQuery& query, Int
 /// The blend between the two mip levels around the one that each lane asks for.
 HWY_NOINLINE inline void levelColours(const KernelAtlas& atlas, const SphereQuery& query, const NodeBlend& slots,
                                       const SphereShares& shares, LaneColours& out) {
+    LaneInts meanOf[4];
+    for (int i = 0; i < slots.count; ++i) {
+        meanOf[i] = hn::ShiftLeft<2>(slots.node[i]);
+    }
     for (std::size_t lane = 0; lane < hn::Lanes(kF); lane += kBlocks) {
         Floats sum = splat(0);
         for (int i = 0; i < slots.count && shares.means; ++i) {
-            sum = addedMean(sum, atlas, LaneInts(hn::ShiftLeft<2>(slots.node[i])), shares.mean[i], lane);
+            sum = addedMean(sum, atlas, meanOf[i], shares.mean[i], lane);
         }
         hn::Store(sum, kF, out.rgba + 4 * lane);
     }

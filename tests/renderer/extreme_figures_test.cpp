@@ -30,7 +30,7 @@ constexpr unsigned kFigures = 250;
 constexpr unsigned kFiguresOfGl = 30;
 
 /// Figures that were not drawn right once: steps longer than the volume; a constant volume of a falling slope under two
-/// axes; colours behind what is all but opaque; normals where all voxels are equal.
+/// axes; colours behind what is all but opaque; normals where all voxels are equal; nodes 1e41 entries away.
 constexpr unsigned kFound[] = {23, 65, 83, 131, 192, 203, 359, 372, 573, 1261, 378, 1512, 1946};
 
 /// Of so many figures one may have a pixel that no move of `Conditioning` explains: where several of them meet, or a

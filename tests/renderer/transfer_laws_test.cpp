@@ -94,6 +94,24 @@ TEST_P(TransferLaws, AValueOnAJumpHasTheColourBehindIt) {
     }
 }
 
+TEST_P(TransferLaws, ValuesBesideAGapAreDrawnAndThoseInItAreNot) {
+    Figure figure = figureOf(Shading::flat);
+    const Grid grid = figure.volume->data->grid();
+    figure.layers[0].transfer.opacity = {{0, 0.5}, {1000, 0.5}, {1000, 0}, {3000, 0}, {3000, 0.5}, {4095, 0.5}};
+    for (const bool slabs : {false, true}) {
+        figure.quality.preintegration = slabs;
+        for (const auto& [value, shows] : {std::pair(999, true), {1000, false}, {2999, false}, {3000, true}}) {
+            figure.volume->data = testing::makeVolume<std::int16_t>(
+                grid, VoxelType::int16, [&, here = value](glm::ivec3 v) { // an entry for every number
+                    return v == glm::ivec3(0) ? 0 : v == grid.dims - 1 ? 4095 : here;
+                });
+            const float alpha = draw(figure).pixel(20, 20)[3];
+            EXPECT_EQ(alpha > 0.3F, shows) << value << ' ' << slabs << ' ' << alpha;
+            EXPECT_EQ(alpha == 0, !shows) << value << ' ' << slabs << ' ' << alpha;
+        }
+    }
+}
+
 TEST_P(TransferLaws, LessOpacityClearsFlatRegionsBeforeContours) {
     Figure figure = figureOf(Shading::style);
     Layer& layer = figure.layers[0];
